@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/core/math.hpp>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace pelage {
+
+/// The two lobes of a fibre lit from one direction. [Kajiya & Kay 1989, §4]
+struct kajiya_kay_lobes {
+  float diffuse;   ///< sin(t, l), [0, 1]: the light that a thin diffuse cylinder receives
+  float specular;  ///< cosᵖ(θr - θi), [0, 1]: the cone of mirror directions round the fibre
+};
+
+/// Evaluates both lobes; the caller weighs them with its colours. [Kajiya & Kay 1989, Eqs. 14 and 16]
+///
+/// `tangent`, `to_light`, `to_eye`: unit vectors, the last two pointing away from the fibre. The highlight is largest
+/// where the eye lies on the cone of mirrored light: t·e = -(t·l). Where the angle between the two exceeds 90° the
+/// specular lobe is 0, as is pow() of a negative cosine elsewhere. `exponent` p: [0, inf); 0 gives 1 on all of the
+/// other side. Vectors that are off unit length are held to the sphere. Relative error as power_of_cosine.
+[[nodiscard]] inline kajiya_kay_lobes kajiya_kay(const glm::vec3& tangent, const glm::vec3& to_light,
+                                                 const glm::vec3& to_eye, float exponent) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+inline kajiya_kay_lobes kajiya_kay(const glm::vec3& tangent, const glm::vec3& to_light, const glm::vec3& to_eye,
+                                   float exponent) noexcept {
+  const float along_light = glm::dot(tangent, to_light);
+  const float along_eye = glm::dot(tangent, to_eye);
+  const float across_light = safe_sqrt(1.0f - along_light * along_light);
+  const float across_eye = safe_sqrt(1.0f - along_eye * along_eye);
+  const float cosine = saturate(across_light * across_eye - along_light * along_eye);
+  return kajiya_kay_lobes{across_light, cosine > 0.0f ? power_of_cosine(cosine, exponent) : 0.0f};
+}
+
+}  // namespace pelage

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <concepts>
+
+namespace pelage {
+
+/// A colour and its alpha as a premultiplied one. `alpha`: [0, 1].
+template <std::floating_point Real>
+[[nodiscard]] constexpr glm::vec<4, Real> premultiply(const glm::vec<3, Real>& colour, Real alpha) noexcept;
+
+/// `front` over `back`, both premultiplied: what is seen of both. Associative but for rounding; a transparent
+/// black is the identity. An opaque front hides any finite back.
+template <std::floating_point Real>
+[[nodiscard]] constexpr glm::vec<4, Real> over(const glm::vec<4, Real>& front, const glm::vec<4, Real>& back) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <std::floating_point Real>
+constexpr glm::vec<4, Real> premultiply(const glm::vec<3, Real>& colour, Real alpha) noexcept {
+  return glm::vec<4, Real>(colour * alpha, alpha);
+}
+
+template <std::floating_point Real>
+constexpr glm::vec<4, Real> over(const glm::vec<4, Real>& front, const glm::vec<4, Real>& back) noexcept {
+  return front + (Real(1) - front.w) * back;
+}
+
+}  // namespace pelage

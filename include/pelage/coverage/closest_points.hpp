@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/core/math.hpp>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <concepts>
+
+namespace pelage {
+
+/// Where a ray and a fibre's segment pass each other most closely.
+template <std::floating_point Real>
+struct closest_pair {
+  Real along_ray;      ///< the pseudo depth: position on the ray in lengths of its direction, [0, inf)
+  Real along_segment;  ///< position on the segment, [0, 1] from its first end to its second
+  Real distance;       ///< between the two points, length units, [0, inf)
+};
+
+/// The closest points of a ray and a segment. A ray that misses the fibre's axis has no hit point: the point of the
+/// ray nearest to the axis stands for it, and its `along_ray` is the fragment's depth. [Yu12 §4]
+///
+/// `direction` need not be a unit vector but not 0: with direction.z = ±1 in view space, `along_ray` is view depth.
+/// Ties: of a segment parallel to the ray, the end nearer to the ray's origin. A segment of length 0 is a point.
+/// Points behind the origin are held to it. NaN in gives NaN out.
+template <std::floating_point Real>
+[[nodiscard]] closest_pair<Real> closest_points(const glm::vec<3, Real>& origin, const glm::vec<3, Real>& direction,
+                                                const glm::vec<3, Real>& start, const glm::vec<3, Real>& end) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <std::floating_point Real>
+closest_pair<Real> closest_points(const glm::vec<3, Real>& origin, const glm::vec<3, Real>& direction,
+                                  const glm::vec<3, Real>& start, const glm::vec<3, Real>& end) noexcept {
+  const glm::vec<3, Real> axis = end - start;
+  const glm::vec<3, Real> offset = start - origin;
+  const Real direction2 = glm::dot(direction, direction);
+  const Real axis2 = glm::dot(axis, axis);
+
+  // Seen along the ray the segment is offset × d + s (axis × d): the least of that is the closest point. The cross
+  // products keep the digits that d·d a·a - (d·a)² loses when the two are nearly parallel.
+  const glm::vec<3, Real> offset_seen = glm::cross(offset, direction);
+  const glm::vec<3, Real> axis_seen = glm::cross(axis, direction);
+  const Real seen2 = glm::dot(axis_seen, axis_seen);
+  Real s = glm::dot(axis, direction) < Real(0) ? Real(1) : Real(0);
+  if (seen2 > Real(0)) {
+    s = saturate(-glm::dot(offset_seen, axis_seen) / seen2);
+  }
+  Real t = glm::dot(offset + s * axis, direction) / direction2;
+  if (t < Real(0)) {
+    t = Real(0);
+    s = axis2 > Real(0) ? saturate(-glm::dot(offset, axis) / axis2) : Real(0);
+  }
+  const glm::vec<3, Real> gap = offset + s * axis - t * direction;
+  return closest_pair<Real>{t, s, glm::length(gap)};
+}
+
+}  // namespace pelage

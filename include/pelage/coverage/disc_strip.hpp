@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/core/math.hpp>
+
+#include <cmath>
+#include <concepts>
+
+namespace pelage {
+
+/// The share of a pixel's disc that a fibre's strip covers, [0, 1]: circle minus the caps on the strip's two sides,
+/// over the circle. [Yu12 §6]
+///
+/// `offset`: distance from the disc's centre to the strip's axis; its sign does not matter.
+/// `fibre_radius`: half the strip's width, [0, inf). `disc_radius`: (0, inf). All in one length unit.
+///
+/// In float within 1e-6 relative of the exact area for any ratio of the three, where the area is normal: the area
+/// of a thin strip is integrated over its width instead of subtracting two caps that agree in every digit. Never
+/// falls when the fibre grows but for that error. A fibre of radius 0, or farther off than the two radii: 0.
+/// A disc of radius 0 is a point: 1 inside the strip, 0 outside. NaN or a negative radius: 0. O(1), two to four
+/// square roots.
+template <std::floating_point Real>
+[[nodiscard]] Real disc_strip_share(Real offset, Real fibre_radius, Real disc_radius) noexcept;
+
+/// The share of a disc that the cap of height `h` cuts off, h in disc radii, [0, 2]; beyond, the nearer end.
+/// Relative error below 1e-7 in exact arithmetic for h in [0, 1].
+template <std::floating_point Real>
+[[nodiscard]] Real cap_share(Real h) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <std::floating_point Real>
+Real cap_share(Real h) noexcept {
+  // h^(3/2) times a polynomial: the area's own shape at h = 0, and no singularity nearer than h = 2.
+  const Real whole = h < Real(2) ? (h > Real(0) ? h : Real(0)) : Real(2);
+  const Real small = whole > Real(1) ? Real(2) - whole : whole;
+  Real p = Real(-0.000177318844);
+  p = p * small + Real(0.000137821731);
+  p = p * small - Real(0.000604818362);
+  p = p * small - Real(0.00148269381);
+  p = p * small - Real(0.00805321381);
+  p = p * small - Real(0.090030634);
+  p = p * small + Real(0.600210866);
+  const Real share = small * std::sqrt(small) * p;
+  return whole > Real(1) ? Real(1) - share : share;
+}
+
+template <std::floating_point Real>
+Real disc_strip_share(Real offset, Real fibre_radius, Real disc_radius) noexcept {
+  const Real d = offset < Real(0) ? -offset : offset;
+  const Real wide = fibre_radius > disc_radius ? fibre_radius : disc_radius;
+  const Real thin = fibre_radius > disc_radius ? disc_radius : fibre_radius;
+  // How far the strip's near edge reaches into the disc. Subtracting from the wider one first is exact where the
+  // whole sum is small.
+  const Real reach = (wide - d) + thin;
+  if (!(reach > Real(0)) || !(fibre_radius > Real(0)) || !(disc_radius >= Real(0))) {
+    return Real(0);
+  }
+  if (reach >= Real(2) * disc_radius) {
+    return Real(1);
+  }
+  const Real left_over = (disc_radius - d) - fibre_radius;
+  if (left_over <= Real(0)) {
+    return cap_share(reach / disc_radius);
+  }
+  const Real rho = fibre_radius / disc_radius;
+  const Real edge = (disc_radius - d) / disc_radius;
+  if (edge <= Real(4) * rho) {
+    return cap_share(reach / disc_radius) - cap_share(left_over / disc_radius);
+  }
+  // Three Gauss points over the strip's width; at four half widths from the rim their error is below 1e-6.
+  const Real middle = std::sqrt(edge * (Real(2) - edge));
+  const Real lower = edge - Real(0.7745966692414834) * rho;
+  const Real upper = edge + Real(0.7745966692414834) * rho;
+  const Real sides = std::sqrt(lower * (Real(2) - lower)) + std::sqrt(upper * (Real(2) - upper));
+  return rho * (Real(8) * middle + Real(5) * sides) * Real(0.07073553026306459);
+}
+
+}  // namespace pelage

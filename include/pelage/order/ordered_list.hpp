@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/core/assert.hpp>
+#include <pelage/core/fragment.hpp>
+#include <pelage/order/list_storage.hpp>
+
+#include <atomic>
+#include <cstdint>
+
+/// Sorted per-pixel lists that many threads build at once, readable while they grow. [Yu12 §5.2]
+///
+/// Keeps the total order in the links themselves; what finds the pool full, or lies behind `limit` nearer ones,
+/// comes back. Once all inserts are done a list holds the same sequence for every interleaving (as long as the pool
+/// suffices). A reader that walks a list at the same time sees a sorted list of complete nodes, some of those being
+/// inserted among them. Memory: see list_storage.
+namespace pelage::ordered_list {
+
+/// The limit that never ends a search.
+[[nodiscard]] constexpr std::uint32_t unlimited() noexcept { return 0xffffffffu; }
+
+/// Inserts a fragment at its place. Returns no_fragment(), or the fragment itself where it did not enter: it is
+/// refused and counted (pool full, or is_fragment() is false), or `limit` fragments of the list are before it, which
+/// is not a loss but an answer: it is not among the `limit` nearest and never will be. The list's first `limit`
+/// nodes are the nearest for every interleaving; nodes behind them may remain.
+///
+/// `list`: [0, list_count()). `limit`: [1, unlimited()]. Lock-free: an exchange fails only because another insert
+/// succeeded. O(n) steps for n fragments before this one, at most `limit`, and as many again for each failure.
+///
+/// (1) Acquire load of a link; synchronises with (3) of whoever published the node that it leads to, so the node's
+/// fragment and link may be read. (2) Relaxed store of the own link: no one reaches the node before (3). (3) The
+/// compare-exchange verifies that the successor is still the one that was compared with, and releases the node's
+/// fragment and its link (2) to the acquire loads (1) and (4). On failure it takes nothing and the search goes on
+/// from the same predecessor, which is still before the fragment: nodes are never removed.
+template <list_storage Storage>
+[[nodiscard]] fragment insert(Storage& storage, std::uint32_t list, fragment offered, std::uint32_t limit) noexcept;
+
+/// The first node of a list, or no_node(). (4) Acquire, pairs with (3). Wait-free.
+template <list_storage Storage>
+[[nodiscard]] std::uint32_t first(const Storage& storage, std::uint32_t list) noexcept;
+
+/// The node after a node, or no_node(). (4) Acquire, pairs with (3). Wait-free.
+template <list_storage Storage>
+[[nodiscard]] std::uint32_t next(const Storage& storage, std::uint32_t node) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <list_storage Storage>
+fragment insert(Storage& storage, std::uint32_t list, fragment offered, std::uint32_t limit) noexcept {
+  PELAGE_ASSERT(list < storage.list_count() && limit >= 1u);
+  if (!is_fragment(offered)) {
+    storage.add_refused(std::memory_order_relaxed);
+    return offered;
+  }
+  std::uint32_t node = no_node();
+  std::uint32_t place = list;
+  std::uint32_t passed = 0u;
+  for (;;) {
+    const std::uint32_t successor = storage.load_link(place, std::memory_order_acquire);  // (1)
+    if (successor != no_node() && before(storage.read_node(successor), offered)) {
+      place = link_of(storage, successor);
+      ++passed;
+      if (passed >= limit && node == no_node()) {
+        return offered;
+      }
+    } else {
+      if (node == no_node()) {
+        node = take_node(storage);
+        if (node == no_node()) {
+          storage.add_refused(std::memory_order_relaxed);
+          return offered;
+        }
+        storage.write_node(node, offered);
+      }
+      storage.store_link(link_of(storage, node), successor, std::memory_order_relaxed);  // (2)
+      const std::uint32_t found =
+          storage.compare_exchange_link(place, successor, node, std::memory_order_release);  // (3)
+      if (found == successor) {
+        return no_fragment();
+      }
+    }
+  }
+}
+
+template <list_storage Storage>
+std::uint32_t first(const Storage& storage, std::uint32_t list) noexcept {
+  return storage.load_link(list, std::memory_order_acquire);  // (4)
+}
+
+template <list_storage Storage>
+std::uint32_t next(const Storage& storage, std::uint32_t node) noexcept {
+  return storage.load_link(link_of(storage, node), std::memory_order_acquire);  // (4)
+}
+
+}  // namespace pelage::ordered_list
