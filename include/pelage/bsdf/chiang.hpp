@@ -84,6 +84,35 @@ template <real_number Real>
 [[nodiscard]] Real chiang_density(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                   const fibre_direction<Real>& light) noexcept;
 
+/// What the steps of the model hand on. Each is a function of its own so that a CPU may run it on packs: over lobes or
+/// channels (chiang_quad.hpp) as over fibres (chiang_batch.hpp).
+template <real_number Real>
+struct chiang_section {
+  interface_shares<Real> surface;  ///< Fresnel's F and 1 - F where the eye's ray enters
+  Real radii;                      ///< length of one crossing of the fibre, in radii
+  rotation<Real> entry;            ///< by 2γ_o
+  rotation<Real> crossing;         ///< by 2γ_t + π
+};
+
+/// Refraction in the fibre's section at an offset h.
+template <real_number Real>
+[[nodiscard]] chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o, Real cos_o) noexcept;
+
+/// A_0 to A_3 for one σ_a. [Chiang 2016 Eq. 6; d'Eon 2011 §3.2]
+template <real_number Real>
+[[nodiscard]] std::array<Real, 4> chiang_attenuation(const chiang_section<Real>& section, Real sigma_a) noexcept;
+
+/// M of one lobe: `sum` holds cos and sin of θ_i + θ_o before the lobe's tilt.
+template <real_number Real>
+[[nodiscard]] Real chiang_along(const longitudinal_lobe<Real>& lobe, const rotation<Real>& sum,
+                                const rotation<Real>& tilt, const rotation<Real>& tilted, Real flipped, Real sin_i,
+                                Real cos_i) noexcept;
+
+/// N of one lobe round its middle.
+template <real_number Real>
+[[nodiscard]] Real chiang_round(const azimuthal_lobe<Real>& lobe, const rotation<Real>& middle, Real y,
+                                Real z) noexcept;
+
 // ---------------------------------------------------------------------------------------------------------
 
 template <real_number Real>
@@ -115,42 +144,16 @@ chiang_view<Real> view_chiang(const chiang_fibre<Real>& fibre, Real h, const fib
     view.flipped[p] = select(turned.cosine < Real(0), Real(1), Real(0));
     view.tilted[p] = rotation<Real>{absolute(turned.cosine), turned.sine};
   }
+  const chiang_section<Real> section = cross_chiang_section(fibre.eta, h, eye.sine, eye.cosine);
+  view.towards[0] = rotation<Real>{eye.y, eye.z} / section.entry;
+  view.towards[1] = view.towards[0] * section.crossing;
+  view.towards[2] = view.towards[1] * section.crossing;
 
-  // Refraction in the section: sin γ_t = h / η′ with η′ = √(η² - sin²θ_o) / cos θ_o.
-  const Real tiny = Real(1e-18);
-  const Real across = greatest(Real(-1), least(Real(1), h));
-  const Real cos_gamma_o = square_root((Real(1) - across) * (Real(1) + across));
-  const Real bent2 = (fibre.eta - eye.sine) * (fibre.eta + eye.sine);
-  const Real bent = greatest(square_root(greatest(bent2, Real(0))), tiny);
-  const Real sin_gamma_t = across * least(eye.cosine / bent, Real(1));
-  const Real cos_gamma_t = square_root((Real(1) - sin_gamma_t) * (Real(1) + sin_gamma_t));
-
-  // Azimuths of the lobes' middles, Φ_p = 2pγ_t - 2γ_o + pπ from the eye's own, as products of unit vectors.
-  const rotation<Real> entry = {Real(1) - Real(2) * across * across, Real(2) * across * cos_gamma_o};
-  const rotation<Real> crossing = {Real(2) * sin_gamma_t * sin_gamma_t - Real(1),
-                                   Real(-2) * sin_gamma_t * cos_gamma_t};
-  view.towards[0] = rotation<Real>{eye.y, eye.z} / entry;
-  view.towards[1] = view.towards[0] * crossing;
-  view.towards[2] = view.towards[1] * crossing;
-
-  // One crossing of the fibre is 2 cos γ_t / cos θ_t radii long, and cos θ_t = √(η² - sin²θ_o) / η.
-  const Real radii = Real(2) * cos_gamma_t * fibre.eta / bent;
-  const interface_shares<Real> surface = dielectric_interface(eye.cosine * cos_gamma_o, fibre.eta);
   std::array<Real, 4> sums = {Real(0), Real(0), Real(0), Real(0)};
   for (int c = 0; c < 3; ++c) {
-    const Real depth = fibre.sigma_a[c] * radii;
-    const Real lost = one_minus_exponential(depth);
-    const Real kept = exponential(Real(0) - depth);
-    const Real turned_back = surface.reflected * kept;
-    const Real passed = surface.transmitted * surface.transmitted * kept;
-    // 1 - TF without cancellation; where it is 0 so is what it divides.
-    const Real rest = surface.transmitted + surface.reflected * lost;
-    const Real residual = passed * turned_back * turned_back / select(rest > Real(0), rest, Real(1));
-    view.attenuation[0][c] = fibre.tints[0] * surface.reflected;
-    view.attenuation[1][c] = fibre.tints[1] * passed;
-    view.attenuation[2][c] = fibre.tints[2] * passed * turned_back;
-    view.attenuation[3][c] = fibre.tints[3] * residual;
+    const std::array<Real, 4> path = chiang_attenuation(section, fibre.sigma_a[c]);
     for (int p = 0; p < 4; ++p) {
+      view.attenuation[p][c] = fibre.tints[p] * path[p];
       sums[p] = sums[p] + view.attenuation[p][c];
     }
   }
@@ -160,32 +163,6 @@ chiang_view<Real> view_chiang(const chiang_fibre<Real>& fibre, Real h, const fib
     view.weights[p] = sums[p] * over;
   }
   return view;
-}
-
-template <real_number Real>
-std::array<Real, 4> chiang_lobes(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
-                                 const fibre_direction<Real>& light) noexcept {
-  const fibre_direction<Real>& eye = view.eye;
-  // cos and sin of θ_i + θ_o; each lobe's tilt turns that sum.
-  const rotation<Real> sum = {light.cosine * eye.cosine - light.sine * eye.sine,
-                              sine_of_sum(light.sine, light.cosine, eye.sine, eye.cosine)};
-  std::array<Real, 4> lobes;
-  for (int p = 0; p < 3; ++p) {
-    const Real product = light.cosine * view.tilted[p].cosine;
-    const rotation<Real> turned = sum * fibre.tilts[p];
-    const rotation<Real> mirrored = {product - light.sine * view.tilted[p].sine,
-                                     light.sine * view.tilted[p].cosine + light.cosine * view.tilted[p].sine};
-    const rotation<Real> between = {select(view.flipped[p] > Real(0), mirrored.cosine, turned.cosine),
-                                    select(view.flipped[p] > Real(0), mirrored.sine, turned.sine)};
-    const rotation<Real>& middle = view.towards[p];
-    const Real distance = unsigned_angle(middle.cosine * light.z - middle.sine * light.y,
-                                         middle.cosine * light.y + middle.sine * light.z);
-    lobes[p] = evaluate_longitudinal(fibre.longitudinal[p], inclination_pair<Real>{versine(between), product}) *
-               evaluate_azimuthal(fibre.azimuthal, distance);
-  }
-  const inclination_pair<Real> untilted = {versine(sum), light.cosine * eye.cosine};
-  lobes[3] = evaluate_longitudinal(fibre.longitudinal[3], untilted) * Real(0.159154943091895336);
-  return lobes;
 }
 
 template <real_number Real>
@@ -203,11 +180,77 @@ chiang_result<Real> evaluate_chiang(const chiang_fibre<Real>& fibre, const chian
 }
 
 template <real_number Real>
+std::array<Real, 4> chiang_lobes(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
+                                 const fibre_direction<Real>& light) noexcept {
+  const fibre_direction<Real>& eye = view.eye;
+  const rotation<Real> sum = {light.cosine * eye.cosine - light.sine * eye.sine,
+                              sine_of_sum(light.sine, light.cosine, eye.sine, eye.cosine)};
+  std::array<Real, 4> lobes;
+  for (int p = 0; p < 3; ++p) {
+    lobes[p] = chiang_along(fibre.longitudinal[p], sum, fibre.tilts[p], view.tilted[p], view.flipped[p], light.sine,
+                            light.cosine) *
+               chiang_round(fibre.azimuthal, view.towards[p], light.y, light.z);
+  }
+  const rotation<Real> none = {Real(1), Real(0)};
+  lobes[3] = chiang_along(fibre.longitudinal[3], sum, none, rotation<Real>{eye.cosine, eye.sine}, Real(0), light.sine,
+                          light.cosine) *
+             Real(0.159154943091895336);
+  return lobes;
+}
+
+template <real_number Real>
 Real chiang_density(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                     const fibre_direction<Real>& light) noexcept {
   const std::array<Real, 4> lobes = chiang_lobes(fibre, view, light);
   return (lobes[0] * view.weights[0] + lobes[1] * view.weights[1]) +
          (lobes[2] * view.weights[2] + lobes[3] * view.weights[3]);
+}
+
+template <real_number Real>
+chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o, Real cos_o) noexcept {
+  // sin γ_t = h/η′ with η′ = √(η² - sin²θ_o)/cos θ_o.
+  const Real across = greatest(Real(-1), least(Real(1), h));
+  const Real cos_gamma_o = square_root((Real(1) - across) * (Real(1) + across));
+  const Real bent = square_root(greatest((eta - sin_o) * (eta + sin_o), Real(1e-36)));
+  const Real sin_gamma_t = across * least(cos_o / bent, Real(1));
+  const Real cos_gamma_t = square_root((Real(1) - sin_gamma_t) * (Real(1) + sin_gamma_t));
+  // One crossing is 2 cos γ_t/cos θ_t long, and cos θ_t = √(η² - sin²θ_o)/η.
+  return chiang_section<Real>{
+      dielectric_interface(cos_o * cos_gamma_o, eta), Real(2) * cos_gamma_t * eta / bent,
+      rotation<Real>{Real(1) - Real(2) * across * across, Real(2) * across * cos_gamma_o},
+      rotation<Real>{Real(2) * sin_gamma_t * sin_gamma_t - Real(1), Real(-2) * sin_gamma_t * cos_gamma_t}};
+}
+
+template <real_number Real>
+std::array<Real, 4> chiang_attenuation(const chiang_section<Real>& section, Real sigma_a) noexcept {
+  const interface_shares<Real>& surface = section.surface;
+  const Real depth = sigma_a * section.radii;
+  const Real kept = exponential(Real(0) - depth);
+  const Real turned_back = surface.reflected * kept;
+  const Real passed = surface.transmitted * surface.transmitted * kept;
+  // 1 - TF without cancellation; where it is 0 so is what it divides.
+  const Real rest = surface.transmitted + surface.reflected * one_minus_exponential(depth);
+  const Real returned = passed * turned_back;
+  const Real residual = returned * turned_back / select(rest > Real(0), rest, Real(1));
+  return std::array<Real, 4>{surface.reflected, passed, returned, residual};
+}
+
+template <real_number Real>
+Real chiang_along(const longitudinal_lobe<Real>& lobe, const rotation<Real>& sum, const rotation<Real>& tilt,
+                  const rotation<Real>& tilted, Real flipped, Real sin_i, Real cos_i) noexcept {
+  // The tilt turns the sum of the inclinations, but where the tilted cosine has lost its sign.
+  const Real product = cos_i * tilted.cosine;
+  const rotation<Real> turned = sum * tilt;
+  const rotation<Real> between = {
+      select(flipped > Real(0), product - sin_i * tilted.sine, turned.cosine),
+      select(flipped > Real(0), sin_i * tilted.cosine + cos_i * tilted.sine, turned.sine)};
+  return evaluate_longitudinal(lobe, inclination_pair<Real>{versine(between), product});
+}
+
+template <real_number Real>
+Real chiang_round(const azimuthal_lobe<Real>& lobe, const rotation<Real>& middle, Real y, Real z) noexcept {
+  return evaluate_azimuthal(lobe, unsigned_angle(middle.cosine * z - middle.sine * y,
+                                                 middle.cosine * y + middle.sine * z));
 }
 
 }  // namespace pelage

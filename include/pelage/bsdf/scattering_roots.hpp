@@ -225,7 +225,7 @@ scattering_roots<Real> find_scattering_roots(int path, Real phi, Real eta_perpen
   if (path == 0) {
     const rotation<Real> mirror = rotation_by(half);
     roots.root[0] = scattering_root<Real>{Real(0) - side * mirror.sine, absolute(mirror.cosine), Real(-1)};
-    roots.count = phi == phi ? 1 : 0;
+    roots.count = half == half ? 1 : 0;
   }
   if (path == 1) {
     // δ = γ_i - γ_t = (π - φ)/2 and Snell's law give tan γ_i = η′ sin δ/(η′ cos δ - 1).

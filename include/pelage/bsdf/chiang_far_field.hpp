@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/bsdf/chiang.hpp>
+
+#include <concepts>
+
+namespace pelage {
+
+/// A fibre thinner than a pixel: the model averaged over the fibre's width, ½ ∫ f(h) dh over [-1, 1].
+///
+/// The rule: h = sin γ, which takes the square roots at the edges out of the integrand, and three Gauss points in
+/// each of `Panels` equal parts of γ. Relative error of the peak below 1e-3 with 4 panels at β_n 0.3, 1e-4 with 8;
+/// halving β_n takes twice the panels. Cost 3 Panels evaluations of the near field. Panels in [1, 64].
+///
+/// Only h varies: `eye` and `light` are what they are for the near field. `value` holds f |cos| and `density` that of
+/// sampling after drawing h uniformly.
+template <int Panels, std::floating_point Real>
+[[nodiscard]] chiang_result<Real> evaluate_chiang_far(const chiang_fibre<Real>& fibre, const fibre_direction<Real>& eye,
+                                                      const fibre_direction<Real>& light) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <int Panels, std::floating_point Real>
+chiang_result<Real> evaluate_chiang_far(const chiang_fibre<Real>& fibre, const fibre_direction<Real>& eye,
+                                        const fibre_direction<Real>& light) noexcept {
+  static_assert(Panels >= 1 && Panels <= 64, "the width of a fibre is cut into 1 to 64 panels");
+  const Real panel = Real(3.141592653589793238) / Real(Panels);
+  chiang_result<Real> sum = {{Real(0), Real(0), Real(0)}, Real(0)};
+  for (int k = 0; k < Panels; ++k) {
+    for (int node = -1; node <= 1; ++node) {
+      const Real gamma = panel * (Real(k) + Real(0.5) + Real(node) * Real(0.387298334620741688)) -
+                         Real(1.57079632679489662);
+      const rotation<Real> offset = rotation_by(gamma);
+      const Real gauss = node == 0 ? Real(0.444444444444444444) : Real(0.277777777777777778);
+      const Real weight = Real(0.5) * panel * gauss * offset.cosine;
+      const chiang_result<Real> near = evaluate_chiang(fibre, view_chiang(fibre, offset.sine, eye), light);
+      for (int c = 0; c < 3; ++c) {
+        sum.value[c] = sum.value[c] + weight * near.value[c];
+      }
+      sum.density = sum.density + weight * near.density;
+    }
+  }
+  return sum;
+}
+
+}  // namespace pelage

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/bsdf/chiang.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <concepts>
+
+namespace pelage {
+
+/// The BSDF itself and its density, as a path tracer wants them.
+template <std::floating_point Real>
+struct chiang_bsdf {
+  glm::vec<3, Real> f;  ///< scattering per steradian, divided by |w_i.z|
+  Real density;         ///< of sample_chiang() drawing w_i, per steradian
+};
+
+/// A direction drawn for a light, with what evaluate_chiang() says of it.
+template <std::floating_point Real>
+struct chiang_sample {
+  glm::vec<3, Real> direction;  ///< unit length within 3e-7 in float
+  chiang_result<Real> result;   ///< value/density is the sample's weight; density 0 only where the fibre is black
+  int lobe;                     ///< 0 R, 1 TT, 2 TRT, 3 residual
+};
+
+/// f and density for two unit vectors in the fibre's frame; one call for what a view and a light cost apart. Where
+/// w_i.z is 0 and f has no value, f |cos| is returned in its place.
+template <std::floating_point Real>
+[[nodiscard]] chiang_bsdf<Real> evaluate_chiang_bsdf(const chiang_fibre<Real>& fibre, Real h,
+                                                     const glm::vec<3, Real>& w_o,
+                                                     const glm::vec<3, Real>& w_i) noexcept;
+
+/// Draws a direction from four numbers in [0, 1): lobe by its weight, then M's two and N's one. The density is that of
+/// chiang_density(), all lobes together, so a weight stays below about 3 however rough the fibre is.
+/// [Chiang 2016; d'Eon 2013]
+template <std::floating_point Real>
+[[nodiscard]] chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
+                                                const std::array<Real, 4>& u) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <std::floating_point Real>
+chiang_bsdf<Real> evaluate_chiang_bsdf(const chiang_fibre<Real>& fibre, Real h, const glm::vec<3, Real>& w_o,
+                                       const glm::vec<3, Real>& w_i) noexcept {
+  const chiang_view<Real> view = view_chiang(fibre, h, direction_by_fibre(w_o));
+  const chiang_result<Real> result = evaluate_chiang(fibre, view, direction_by_fibre(w_i));
+  const Real cosine = absolute(w_i.z);
+  const Real divisor = cosine > Real(0) ? cosine : Real(1);
+  const glm::vec<3, Real> value = glm::vec<3, Real>(result.value[0], result.value[1], result.value[2]);
+  return chiang_bsdf<Real>{value / divisor, result.density};
+}
+
+template <std::floating_point Real>
+chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
+                                  const std::array<Real, 4>& u) noexcept {
+  const Real first = view.weights[0];
+  const Real second = first + view.weights[1];
+  const Real third = second + view.weights[2];
+  const bool residual = u[0] >= third && view.weights[3] > Real(0);
+  const int lobe = residual ? 3 : (u[0] < first ? 0 : (u[0] < second ? 1 : 2));
+
+  rotation<Real> tilted = rotation<Real>{view.eye.cosine, view.eye.sine};
+  rotation<Real> middle = rotation<Real>{view.eye.y, view.eye.z};
+  Real distance = Real(6.283185307179586477) * u[3];
+  for (int p = 0; p < 3; ++p) {
+    if (p == lobe) {
+      tilted = view.tilted[p];
+      middle = view.towards[p];
+      distance = sample_azimuthal(fibre.azimuthal, u[3]);
+    }
+  }
+  longitudinal_lobe<Real> along = fibre.longitudinal[0];
+  for (int p = 1; p < 4; ++p) {
+    if (p == lobe) {
+      along = fibre.longitudinal[p];
+    }
+  }
+  const rotation<Real> inclination = sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
+  const rotation<Real> azimuth = middle * rotation_by(distance);
+  const Real length = square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
+  const Real across = inclination.cosine / length;
+  chiang_sample<Real> sample;
+  sample.direction = glm::vec<3, Real>(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
+  sample.result = evaluate_chiang(fibre, view, direction_by_fibre(sample.direction));
+  sample.lobe = lobe;
+  return sample;
+}
+
+}  // namespace pelage
