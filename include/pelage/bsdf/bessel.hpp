@@ -22,17 +22,17 @@ struct bessel_i0_parts {
 /// are all positive, up to 20, beyond it the asymptotic series, whose least term is then below e⁻⁴⁰.
 /// [Abramowitz & Stegun 9.6.12, 9.7.1]
 template <real_number Real>
-[[nodiscard]] bessel_i0_parts<Real> bessel_i0(Real x) noexcept;
+[[nodiscard]] inline bessel_i0_parts<Real> bessel_i0(Real x) noexcept;
 
 /// ln I₀(x), x in [0, +inf): relative error below 1e-6 in float, 1e-14 in double, near 0 (x²/4) as elsewhere.
 template <std::floating_point Real>
-[[nodiscard]] Real log_bessel_i0(Real x) noexcept;
+[[nodiscard]] inline Real log_bessel_i0(Real x) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
 /// The series in double: I₀ - 1 for x ≤ 20.
 template <std::floating_point Real>
-[[nodiscard]] Real bessel_i0_series(Real x) noexcept {
+[[nodiscard]] inline Real bessel_i0_series(Real x) noexcept {
   const Real quarter = Real(0.25) * x * x;
   Real term = quarter;
   Real sum = quarter;
@@ -45,7 +45,7 @@ template <std::floating_point Real>
 
 /// The asymptotic series in double: e⁻ˣ I₀ for x ≥ 20.
 template <std::floating_point Real>
-[[nodiscard]] Real bessel_i0_tail(Real x) noexcept {
+[[nodiscard]] inline Real bessel_i0_tail(Real x) noexcept {
   Real term = Real(1);
   Real sum = Real(1);
   for (int k = 1; k <= 30; ++k) {
@@ -57,17 +57,13 @@ template <std::floating_point Real>
 
 /// I₀ - 1 over x² in float, x² ≤ 36.
 template <real_number Real>
-[[nodiscard]] Real bessel_i0_rise(Real square) noexcept {
-  Real p = Real(4.52113265e-17f);
-  p = p * square + Real(8.05699179e-15f);
-  p = p * square + Real(2.46096026e-12f);
-  p = p * square + Real(4.69433437e-10f);
-  p = p * square + Real(6.78411567e-08f);
-  p = p * square + Real(6.78144761e-06f);
-  p = p * square + Real(0.000434029091f);
-  p = p * square + Real(0.0156249963f);
-  p = p * square + Real(0.25f);
-  return p;
+[[nodiscard]] inline Real bessel_i0_rise(Real square) noexcept {
+  const Real s2 = square * square;
+  const Real top = Real(8.05699179e-15f) + Real(4.52113265e-17f) * square;
+  const Real high = Real(4.69433437e-10f) + Real(2.46096026e-12f) * square;
+  const Real middle = Real(6.78144761e-06f) + Real(6.78411567e-08f) * square;
+  const Real low = Real(0.0156249963f) + Real(0.000434029091f) * square;
+  return Real(0.25f) + square * ((low + s2 * middle) + s2 * s2 * (high + s2 * top));
 }
 
 template <real_number Real>
@@ -80,12 +76,9 @@ bessel_i0_parts<Real> bessel_i0(Real x) noexcept {
     const Real square = bounded * bounded;
     const Real near = bessel_i0_rise(square) * square + Real(1.0f);
     const Real t = Real(1.0f) / greatest(x, Real(6.0f));
-    Real p = Real(0.602922142f);
-    p = p * t + Real(-0.0839143246f);
-    p = p * t + Real(0.041742567f);
-    p = p * t + Real(0.0275332332f);
-    p = p * t + Real(0.0498753674f);
-    p = p * t + Real(0.398942262f);
+    const Real high = Real(0.602922142f) * t + Real(-0.0839143246f);
+    const Real middle = Real(0.041742567f) * t + Real(0.0275332332f);
+    const Real p = (Real(0.0498753674f) * t + Real(0.398942262f)) + t * t * (middle + t * t * high);
     const Real far = p * square_root(t);
     return bessel_i0_parts<Real>{select(x < Real(6.0f), near, far), select(x < Real(6.0f), Real(0.0f), x)};
   }

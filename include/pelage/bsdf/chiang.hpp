@@ -61,27 +61,27 @@ struct chiang_result {
 
 /// Makes a fibre. Infinite σ_a counts as 1e30.
 template <real_number Real>
-[[nodiscard]] chiang_fibre<Real> make_chiang_fibre(const chiang_parameters<Real>& parameters) noexcept;
+[[nodiscard]] inline chiang_fibre<Real> make_chiang_fibre(const chiang_parameters<Real>& parameters) noexcept;
 
 /// Makes a view of it.
 template <real_number Real>
-[[nodiscard]] chiang_view<Real> view_chiang(const chiang_fibre<Real>& fibre, Real h,
+[[nodiscard]] inline chiang_view<Real> view_chiang(const chiang_fibre<Real>& fibre, Real h,
                                             const fibre_direction<Real>& eye) noexcept;
 
 /// The whole model at one pair of directions. Finite for every unit vector, grazing ones and those along the fibre
 /// included. Float stays within 2e-5 of double where β_m and β_n are at least 0.05 and values above 1e-6.
 template <real_number Real>
-[[nodiscard]] chiang_result<Real> evaluate_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
+[[nodiscard]] inline chiang_result<Real> evaluate_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                                   const fibre_direction<Real>& light) noexcept;
 
 /// M_p N_p of the four lobes for one light, without attenuations: what evaluation and density share.
 template <real_number Real>
-[[nodiscard]] std::array<Real, 4> chiang_lobes(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
+[[nodiscard]] inline std::array<Real, 4> chiang_lobes(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                                const fibre_direction<Real>& light) noexcept;
 
 /// The density alone, per steradian.
 template <real_number Real>
-[[nodiscard]] Real chiang_density(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
+[[nodiscard]] inline Real chiang_density(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                   const fibre_direction<Real>& light) noexcept;
 
 /// What the steps of the model hand on. Each is a function of its own so that a CPU may run it on packs: over lobes or
@@ -96,21 +96,21 @@ struct chiang_section {
 
 /// Refraction in the fibre's section at an offset h.
 template <real_number Real>
-[[nodiscard]] chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o, Real cos_o) noexcept;
+[[nodiscard]] inline chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o, Real cos_o) noexcept;
 
 /// A_0 to A_3 for one σ_a. [Chiang 2016 Eq. 6; d'Eon 2011 §3.2]
 template <real_number Real>
-[[nodiscard]] std::array<Real, 4> chiang_attenuation(const chiang_section<Real>& section, Real sigma_a) noexcept;
+[[nodiscard]] inline std::array<Real, 4> chiang_attenuation(const chiang_section<Real>& section, Real sigma_a) noexcept;
 
 /// M of one lobe: `sum` holds cos and sin of θ_i + θ_o before the lobe's tilt.
 template <real_number Real>
-[[nodiscard]] Real chiang_along(const longitudinal_lobe<Real>& lobe, const rotation<Real>& sum,
+[[nodiscard]] inline Real chiang_along(const longitudinal_lobe<Real>& lobe, const rotation<Real>& sum,
                                 const rotation<Real>& tilt, const rotation<Real>& tilted, Real flipped, Real sin_i,
                                 Real cos_i) noexcept;
 
 /// N of one lobe round its middle.
 template <real_number Real>
-[[nodiscard]] Real chiang_round(const azimuthal_lobe<Real>& lobe, const rotation<Real>& middle, Real y,
+[[nodiscard]] inline Real chiang_round(const azimuthal_lobe<Real>& lobe, const rotation<Real>& middle, Real y,
                                 Real z) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
@@ -119,7 +119,7 @@ template <real_number Real>
 chiang_fibre<Real> make_chiang_fibre(const chiang_parameters<Real>& parameters) noexcept {
   chiang_fibre<Real> fibre;
   fibre.eta = parameters.eta;
-  for (int c = 0; c < 3; ++c) {
+  for (std::uint32_t c = 0u; c < 3u; ++c) {
     fibre.sigma_a[c] = least(parameters.sigma_a[c], Real(1e30));
   }
   fibre.tints = std::array<Real, 4>{Real(1), Real(1), Real(1), Real(1)};
@@ -139,7 +139,7 @@ template <real_number Real>
 chiang_view<Real> view_chiang(const chiang_fibre<Real>& fibre, Real h, const fibre_direction<Real>& eye) noexcept {
   chiang_view<Real> view;
   view.eye = eye;
-  for (int p = 0; p < 3; ++p) {
+  for (std::uint32_t p = 0u; p < 3u; ++p) {
     const rotation<Real> turned = rotation<Real>{eye.cosine, eye.sine} * fibre.tilts[p];
     view.flipped[p] = select(turned.cosine < Real(0), Real(1), Real(0));
     view.tilted[p] = rotation<Real>{absolute(turned.cosine), turned.sine};
@@ -150,16 +150,16 @@ chiang_view<Real> view_chiang(const chiang_fibre<Real>& fibre, Real h, const fib
   view.towards[2] = view.towards[1] * section.crossing;
 
   std::array<Real, 4> sums = {Real(0), Real(0), Real(0), Real(0)};
-  for (int c = 0; c < 3; ++c) {
+  for (std::uint32_t c = 0u; c < 3u; ++c) {
     const std::array<Real, 4> path = chiang_attenuation(section, fibre.sigma_a[c]);
-    for (int p = 0; p < 4; ++p) {
+    for (std::uint32_t p = 0u; p < 4u; ++p) {
       view.attenuation[p][c] = fibre.tints[p] * path[p];
       sums[p] = sums[p] + view.attenuation[p][c];
     }
   }
   const Real total = (sums[0] + sums[1]) + (sums[2] + sums[3]);
   const Real over = Real(1) / select(total > Real(0), total, Real(1));
-  for (int p = 0; p < 4; ++p) {
+  for (std::uint32_t p = 0u; p < 4u; ++p) {
     view.weights[p] = sums[p] * over;
   }
   return view;
@@ -170,8 +170,8 @@ chiang_result<Real> evaluate_chiang(const chiang_fibre<Real>& fibre, const chian
                                     const fibre_direction<Real>& light) noexcept {
   const std::array<Real, 4> lobes = chiang_lobes(fibre, view, light);
   chiang_result<Real> result = {{Real(0), Real(0), Real(0)}, Real(0)};
-  for (int p = 0; p < 4; ++p) {
-    for (int c = 0; c < 3; ++c) {
+  for (std::uint32_t p = 0u; p < 4u; ++p) {
+    for (std::uint32_t c = 0u; c < 3u; ++c) {
       result.value[c] = result.value[c] + lobes[p] * view.attenuation[p][c];
     }
     result.density = result.density + lobes[p] * view.weights[p];
@@ -186,7 +186,7 @@ std::array<Real, 4> chiang_lobes(const chiang_fibre<Real>& fibre, const chiang_v
   const rotation<Real> sum = {light.cosine * eye.cosine - light.sine * eye.sine,
                               sine_of_sum(light.sine, light.cosine, eye.sine, eye.cosine)};
   std::array<Real, 4> lobes;
-  for (int p = 0; p < 3; ++p) {
+  for (std::uint32_t p = 0u; p < 3u; ++p) {
     lobes[p] = chiang_along(fibre.longitudinal[p], sum, fibre.tilts[p], view.tilted[p], view.flipped[p], light.sine,
                             light.cosine) *
                chiang_round(fibre.azimuthal, view.towards[p], light.y, light.z);
@@ -202,8 +202,8 @@ template <real_number Real>
 Real chiang_density(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                     const fibre_direction<Real>& light) noexcept {
   const std::array<Real, 4> lobes = chiang_lobes(fibre, view, light);
-  return (lobes[0] * view.weights[0] + lobes[1] * view.weights[1]) +
-         (lobes[2] * view.weights[2] + lobes[3] * view.weights[3]);
+  return ((lobes[0] * view.weights[0] + lobes[1] * view.weights[1]) + lobes[2] * view.weights[2]) +
+         lobes[3] * view.weights[3];
 }
 
 template <real_number Real>

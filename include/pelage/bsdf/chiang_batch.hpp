@@ -79,16 +79,17 @@ template <int W>
   using pack = lanes<W>;
   chiang_fibre<pack> wide;
   wide.eta = pack(fibre.eta);
-  for (int c = 0; c < 3; ++c) {
+  for (std::uint32_t c = 0u; c < 3u; ++c) {
     wide.sigma_a[c] = pack(fibre.sigma_a[c]);
     wide.tilts[c] = rotation<pack>{pack(fibre.tilts[c].cosine), pack(fibre.tilts[c].sine)};
   }
-  for (int p = 0; p < 4; ++p) {
+  for (std::uint32_t p = 0u; p < 4u; ++p) {
     const longitudinal_lobe<float> lobe = fibre.longitudinal[p];
     wide.tints[p] = pack(fibre.tints[p]);
     wide.longitudinal[p] = longitudinal_lobe<pack>{pack(lobe.variance), pack(lobe.concentration), pack(lobe.height)};
   }
-  wide.azimuthal = azimuthal_lobe<pack>{pack(fibre.azimuthal.scale), pack(fibre.azimuthal.height)};
+  wide.azimuthal = azimuthal_lobe<pack>{pack(fibre.azimuthal.scale), pack(fibre.azimuthal.steepness),
+                                       pack(fibre.azimuthal.height)};
   return wide;
 }
 
@@ -105,7 +106,7 @@ void evaluate_chiang_lanes(const chiang_fibre<lanes<W>>& fibre, const chiang_bat
       direction_by_fibre(load_lanes<W>(batch.light[0], at), load_lanes<W>(batch.light[1], at),
                          load_lanes<W>(batch.light[2], at));
   const chiang_result<pack> found = evaluate_chiang(fibre, view_chiang(fibre, h, eye), light);
-  for (int c = 0; c < 3; ++c) {
+  for (std::uint32_t c = 0u; c < 3u; ++c) {
     store_lanes<W>(found.value[c], result.value[c], at);
   }
   store_lanes<W>(found.density, result.density, at);
@@ -113,7 +114,7 @@ void evaluate_chiang_lanes(const chiang_fibre<lanes<W>>& fibre, const chiang_bat
 
 /// The caller's contract: one length for all.
 inline void assert_one_length(const chiang_batch& batch, const chiang_batch_result& result) noexcept {
-  for (int c = 0; c < 3; ++c) {
+  for (std::uint32_t c = 0u; c < 3u; ++c) {
     PELAGE_ASSERT(batch.eye[c].size() == batch.h.size() && batch.light[c].size() == batch.h.size());
     PELAGE_ASSERT(result.value[c].size() == batch.h.size());
   }

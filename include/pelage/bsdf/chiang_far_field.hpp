@@ -35,7 +35,7 @@ chiang_result<Real> evaluate_chiang_far(const chiang_fibre<Real>& fibre, const f
       const Real gauss = node == 0 ? Real(0.444444444444444444) : Real(0.277777777777777778);
       const Real weight = Real(0.5) * panel * gauss * offset.cosine;
       const chiang_result<Real> near = evaluate_chiang(fibre, view_chiang(fibre, offset.sine, eye), light);
-      for (int c = 0; c < 3; ++c) {
+      for (std::uint32_t c = 0u; c < 3u; ++c) {
         sum.value[c] = sum.value[c] + weight * near.value[c];
       }
       sum.density = sum.density + weight * near.density;

@@ -28,7 +28,7 @@ struct chiang_quad_view {
   lanes<4> flipped;
   rotation<lanes<4>> towards;           ///< the residual's is the eye's own azimuth and of no use
   std::array<lanes<4>, 4> attenuation;  ///< per lobe; lanes are red, green, blue and of no use
-  std::array<float, 4> weights;         ///< probabilities of the lobes
+  lanes<4> weights;                     ///< probabilities of the lobes; lanes are lobes
 };
 
 /// Regroups a fibre.
@@ -57,6 +57,12 @@ struct chiang_quad_view {
   return lanes<4>(lanes<4>::vector{a, b, c, d});
 }
 
+/// One lane in all four.
+template <int Lane>
+[[nodiscard]] lanes<4> spread_lane(lanes<4> x) noexcept {
+  return lanes<4>(__builtin_shufflevector(x.lane, x.lane, Lane, Lane, Lane, Lane));
+}
+
 inline chiang_quad_fibre make_chiang_quad_fibre(const chiang_fibre<float>& fibre) noexcept {
   const std::array<longitudinal_lobe<float>, 4>& m = fibre.longitudinal;
   const std::array<rotation<float>, 3>& t = fibre.tilts;
@@ -67,7 +73,7 @@ inline chiang_quad_fibre make_chiang_quad_fibre(const chiang_fibre<float>& fibre
       {four_lanes(m[0].variance, m[1].variance, m[2].variance, m[3].variance),
        four_lanes(m[0].concentration, m[1].concentration, m[2].concentration, m[3].concentration),
        four_lanes(m[0].height, m[1].height, m[2].height, m[3].height)},
-      {lanes<4>(fibre.azimuthal.scale), lanes<4>(fibre.azimuthal.height)},
+      {lanes<4>(fibre.azimuthal.scale), lanes<4>(fibre.azimuthal.steepness), lanes<4>(fibre.azimuthal.height)},
       {four_lanes(t[0].cosine, t[1].cosine, t[2].cosine, 1.0f), four_lanes(t[0].sine, t[1].sine, t[2].sine, 0.0f)}};
 }
 
@@ -91,16 +97,23 @@ inline chiang_quad_view view_chiang(const chiang_quad_fibre& fibre, float h,
   wide.surface = interface_shares<pack>{pack(section.surface.reflected), pack(section.surface.transmitted)};
   wide.radii = pack(section.radii);
   const std::array<pack, 4> path = chiang_attenuation(wide, fibre.sigma_a);
-  std::array<float, 4> sums;
-  for (int p = 0; p < 4; ++p) {
-    view.attenuation[p] = fibre.tints[p] * path[p];
-    sums[p] = view.attenuation[p].lane[0] + view.attenuation[p].lane[1] + view.attenuation[p].lane[2];
-  }
-  const float total = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  const float over = 1.0f / (total > 0.0f ? total : 1.0f);
-  for (int p = 0; p < 4; ++p) {
-    view.weights[p] = sums[p] * over;
-  }
+  const pack first = fibre.tints[0] * path[0];
+  const pack second = fibre.tints[1] * path[1];
+  const pack third = fibre.tints[2] * path[2];
+  const pack fourth = fibre.tints[3] * path[3];
+  view.attenuation = std::array<pack, 4>{first, second, third, fourth};
+
+  // Rows of lobes become rows of channels, whose sum has a lobe in each lane.
+  const auto low = __builtin_shufflevector(first.lane, second.lane, 0, 4, 1, 5);
+  const auto next = __builtin_shufflevector(third.lane, fourth.lane, 0, 4, 1, 5);
+  const auto high = __builtin_shufflevector(first.lane, second.lane, 2, 6, 3, 7);
+  const auto last = __builtin_shufflevector(third.lane, fourth.lane, 2, 6, 3, 7);
+  const pack red = pack(__builtin_shufflevector(low, next, 0, 1, 4, 5));
+  const pack green = pack(__builtin_shufflevector(low, next, 2, 3, 6, 7));
+  const pack blue = pack(__builtin_shufflevector(high, last, 0, 1, 4, 5));
+  const pack sums = (red + green) + blue;
+  const float total = (sums.lane[0] + sums.lane[1]) + (sums.lane[2] + sums.lane[3]);
+  view.weights = sums * pack(1.0f / (total > 0.0f ? total : 1.0f));
   return view;
 }
 
@@ -109,7 +122,7 @@ inline lanes<4> chiang_lobes(const chiang_quad_fibre& fibre, const chiang_quad_v
   using pack = lanes<4>;
   const fibre_direction<float>& eye = view.eye;
   const rotation<pack> sum = {pack(light.cosine * eye.cosine - light.sine * eye.sine),
-                              pack(sine_of_sum(light.sine, light.cosine, eye.sine, eye.cosine))};
+                              sine_of_sum(pack(light.sine), pack(light.cosine), pack(eye.sine), pack(eye.cosine))};
   const pack along = chiang_along(fibre.longitudinal, sum, fibre.tilts, view.tilted, view.flipped, pack(light.sine),
                                   pack(light.cosine));
   const pack round = chiang_round(fibre.azimuthal, view.towards, pack(light.y), pack(light.z));
@@ -120,21 +133,19 @@ inline lanes<4> chiang_lobes(const chiang_quad_fibre& fibre, const chiang_quad_v
 inline chiang_result<float> evaluate_chiang(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
                                             const fibre_direction<float>& light) noexcept {
   const lanes<4> lobes = chiang_lobes(fibre, view, light);
-  lanes<4> value = lanes<4>(0.0f);
-  float density = 0.0f;
-  for (int p = 0; p < 4; ++p) {
-    const float lobe = lobes.lane[p];
-    value = value + lanes<4>(lobe) * view.attenuation[p];
-    density = density + lobe * view.weights[p];
-  }
-  return chiang_result<float>{{value.lane[0], value.lane[1], value.lane[2]}, density};
+  const lanes<4> value =
+      ((spread_lane<0>(lobes) * view.attenuation[0] + spread_lane<1>(lobes) * view.attenuation[1]) +
+       spread_lane<2>(lobes) * view.attenuation[2]) +
+      spread_lane<3>(lobes) * view.attenuation[3];
+  const lanes<4> density = lobes * view.weights;
+  return chiang_result<float>{{value.lane[0], value.lane[1], value.lane[2]},
+                              ((density.lane[0] + density.lane[1]) + density.lane[2]) + density.lane[3]};
 }
 
 inline float chiang_density(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
                             const fibre_direction<float>& light) noexcept {
-  const lanes<4> lobes = chiang_lobes(fibre, view, light);
-  return (lobes.lane[0] * view.weights[0] + lobes.lane[1] * view.weights[1]) +
-         (lobes.lane[2] * view.weights[2] + lobes.lane[3] * view.weights[3]);
+  const lanes<4> density = chiang_lobes(fibre, view, light) * view.weights;
+  return ((density.lane[0] + density.lane[1]) + density.lane[2]) + density.lane[3];
 }
 
 }  // namespace pelage

@@ -64,7 +64,7 @@ chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_
   rotation<Real> tilted = rotation<Real>{view.eye.cosine, view.eye.sine};
   rotation<Real> middle = rotation<Real>{view.eye.y, view.eye.z};
   Real distance = Real(6.283185307179586477) * u[3];
-  for (int p = 0; p < 3; ++p) {
+  for (std::uint32_t p = 0u; p < 3u; ++p) {
     if (p == lobe) {
       tilted = view.tilted[p];
       middle = view.towards[p];
@@ -72,7 +72,7 @@ chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_
     }
   }
   longitudinal_lobe<Real> along = fibre.longitudinal[0];
-  for (int p = 1; p < 4; ++p) {
+  for (std::uint32_t p = 1u; p < 4u; ++p) {
     if (p == lobe) {
       along = fibre.longitudinal[p];
     }

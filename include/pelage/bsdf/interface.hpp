@@ -16,7 +16,7 @@ struct interface_shares {
 /// The shares of a surface met at `cos_theta` in [0, 1], `eta` the index behind over the index before, (0, inf).
 /// cos_theta = 0 and total reflection give (1, 0). Relative error of each below 1e-6 in float.
 template <real_number Real>
-[[nodiscard]] interface_shares<Real> dielectric_interface(Real cos_theta, Real eta) noexcept;
+[[nodiscard]] inline interface_shares<Real> dielectric_interface(Real cos_theta, Real eta) noexcept;
 
 /// The same with Bravais indices: light in a plane inclined to a cylinder's section refracts in the section as if
 /// by η′, and its second polarisation reflects as if by η″. [Marschner 2003 App. B]
@@ -24,7 +24,7 @@ template <real_number Real>
 /// `cos_outside`, `cos_inside`: cosines of incidence and of refraction by η′ in the section, [0, 1].
 /// `cos_outside` = 0 gives (1, 0).
 template <real_number Real>
-[[nodiscard]] interface_shares<Real> bravais_interface(Real cos_outside, Real cos_inside, Real eta_perpendicular,
+[[nodiscard]] inline interface_shares<Real> bravais_interface(Real cos_outside, Real cos_inside, Real eta_perpendicular,
                                                        Real eta_parallel) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------

@@ -128,11 +128,11 @@ std::array<Real, 3> bare_azimuthal(const fibre_section<Real>& section, int path,
                                    const std::array<Real, 3>& sigma_a) noexcept {
   const scattering_roots<Real> roots = find_scattering_roots(path, phi, section.eta_perpendicular);
   std::array<Real, 3> sum = {Real(0), Real(0), Real(0)};
-  for (int k = 0; k < 3; ++k) {
+  for (std::uint32_t k = 0u; k < 3u; ++k) {
     if (k < roots.count) {
       const scattering_root<Real> root = roots.root[k];
       const Real density = root.cosine / (Real(4) * greatest(absolute(root.slope), Real(1e-6)));
-      for (int c = 0; c < 3; ++c) {
+      for (std::uint32_t c = 0u; c < 3u; ++c) {
         sum[c] = sum[c] + density * path_attenuation(section, path, root.sine, root.cosine, sigma_a[c]);
       }
     }
@@ -165,7 +165,7 @@ std::array<Real, 3> smooth_trt(const fibre_section<Real>& section, Real phi, con
   const Real kept = (Real(1) - strength * right / peak) * (Real(1) - strength * left / peak);
   const Real put = strength * caustic.intensity * width * (right + left);
   std::array<Real, 3> value = bare_azimuthal(section, 2, phi, sigma_a);
-  for (int c = 0; c < 3; ++c) {
+  for (std::uint32_t c = 0u; c < 3u; ++c) {
     value[c] = value[c] * kept + put * path_attenuation(section, 2, point.sine, point.cosine, sigma_a[c]);
   }
   return value;
@@ -198,9 +198,9 @@ marschner_result<Real> evaluate_marschner(const marschner_parameters<Real>& para
     result.azimuthal[2] = bare_azimuthal(bent_section, 2, phi, parameters.sigma_a);
   }
   const Real cosine = greatest(rotation_by(theta_d).cosine, Real(1e-6));
-  for (int c = 0; c < 3; ++c) {
+  for (std::uint32_t c = 0u; c < 3u; ++c) {
     Real sum = Real(0);
-    for (int p = 0; p < 3; ++p) {
+    for (std::uint32_t p = 0u; p < 3u; ++p) {
       sum = sum + result.longitudinal[p] * result.azimuthal[p][c];
     }
     result.scattering[c] = sum / (cosine * cosine);

@@ -28,7 +28,7 @@ struct scattering_root {
 template <std::floating_point Real>
 struct scattering_roots {
   std::array<scattering_root<Real>, 3> root;
-  int count;  ///< [0, 3]
+  std::uint32_t count;  ///< [0, 3]
 };
 
 /// The caustic of TRT: where two of its roots meet, at ±φ. [Marschner 2003 App. B]
@@ -214,10 +214,10 @@ template <std::floating_point Real>
 template <std::floating_point Real>
 scattering_roots<Real> find_scattering_roots(int path, Real phi, Real eta_perpendicular) noexcept {
   scattering_roots<Real> roots;
-  for (int k = 0; k < 3; ++k) {
+  for (std::uint32_t k = 0u; k < 3u; ++k) {
     roots.root[k] = scattering_root<Real>{Real(0), Real(1), Real(1)};
   }
-  roots.count = 0;
+  roots.count = 0u;
   const Real eta = greatest(eta_perpendicular, Real(1));
   const Real azimuth = wrapped_angle(phi);
   const Real side = azimuth < Real(0) ? Real(-1) : Real(1);
@@ -225,7 +225,7 @@ scattering_roots<Real> find_scattering_roots(int path, Real phi, Real eta_perpen
   if (path == 0) {
     const rotation<Real> mirror = rotation_by(half);
     roots.root[0] = scattering_root<Real>{Real(0) - side * mirror.sine, absolute(mirror.cosine), Real(-1)};
-    roots.count = half == half ? 1 : 0;
+    roots.count = half == half ? 1u : 0u;
   }
   if (path == 1) {
     // δ = γ_i - γ_t = (π - φ)/2 and Snell's law give tan γ_i = η′ sin δ/(η′ cos δ - 1).
@@ -240,7 +240,7 @@ scattering_roots<Real> find_scattering_roots(int path, Real phi, Real eta_perpen
       const Real inside = square_root((eta - sine) * (eta + sine));
       const Real slope = (Real(1) - eta) * (Real(1) + eta) / ((cosine + inside) * inside);
       roots.root[0] = scattering_root<Real>{side * sine, cosine, slope};
-      roots.count = 1;
+      roots.count = 1u;
     }
   }
   if (path == 2) {
@@ -249,17 +249,17 @@ scattering_roots<Real> find_scattering_roots(int path, Real phi, Real eta_perpen
     if (caustic.curvature > Real(0) && half <= caustic.half_azimuth) {
       const scattering_root<Real> near = solve_stretch(eta, half, true, caustic);
       roots.root[roots.count] = scattering_root<Real>{side * near.sine, near.cosine, near.slope};
-      roots.count = roots.count + 1;
+      roots.count = roots.count + 1u;
       if (half >= edge) {
         const scattering_root<Real> far = solve_stretch(eta, half, false, caustic);
         roots.root[roots.count] = scattering_root<Real>{side * far.sine, far.cosine, far.slope};
-        roots.count = roots.count + 1;
+        roots.count = roots.count + 1u;
       }
     }
     if (Real(0) - half >= edge) {
       const scattering_root<Real> opposite = solve_stretch(eta, Real(0) - half, false, caustic);
       roots.root[roots.count] = scattering_root<Real>{Real(0) - side * opposite.sine, opposite.cosine, opposite.slope};
-      roots.count = roots.count + 1;
+      roots.count = roots.count + 1u;
     }
   }
   return roots;

@@ -29,7 +29,7 @@ template <std::floating_point Real>
 
 /// √x; a negative x or NaN gives NaN. Packed types overload.
 template <std::floating_point Real>
-[[nodiscard]] Real square_root(Real x) noexcept;
+[[nodiscard]] inline Real square_root(Real x) noexcept;
 
 /// x without its fraction, towards 0, for |x| < 2³¹. Packed types overload.
 template <std::floating_point Real>
@@ -40,42 +40,42 @@ template <std::floating_point Real>
 
 /// |x|, and 0 for -0.
 template <real_number Real>
-[[nodiscard]] Real absolute(Real x) noexcept;
+[[nodiscard]] inline Real absolute(Real x) noexcept;
 
 /// The lesser and the greater of two; b if either is NaN.
 template <real_number Real>
-[[nodiscard]] Real least(Real a, Real b) noexcept;
+[[nodiscard]] inline Real least(Real a, Real b) noexcept;
 template <real_number Real>
-[[nodiscard]] Real greatest(Real a, Real b) noexcept;
+[[nodiscard]] inline Real greatest(Real a, Real b) noexcept;
 
 /// eˣ - 1 for |x| ≤ 0.35, relative error below 1.5e-7 in float. Outside: garbage in float.
 template <real_number Real>
-[[nodiscard]] Real small_exponential(Real x) noexcept;
+[[nodiscard]] inline Real small_exponential(Real x) noexcept;
 
 /// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN.
 template <real_number Real>
-[[nodiscard]] Real exponential(Real x) noexcept;
+[[nodiscard]] inline Real exponential(Real x) noexcept;
 
 /// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is.
 template <real_number Real>
-[[nodiscard]] Real one_minus_exponential(Real x) noexcept;
+[[nodiscard]] inline Real one_minus_exponential(Real x) noexcept;
 
 /// ln x for normal x > 0, within 1.1e-7 · max(1, |ln x|) in float. In float zero, denormals and negatives give -87.3.
 template <std::floating_point Real>
-[[nodiscard]] Real natural_logarithm(Real x) noexcept;
+[[nodiscard]] inline Real natural_logarithm(Real x) noexcept;
 
 /// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
 /// gives 0. The length of the vector does not matter but for overflow of neither and NaN in either, which give NaN.
 template <real_number Real>
-[[nodiscard]] Real unsigned_angle(Real y, Real x) noexcept;
+[[nodiscard]] inline Real unsigned_angle(Real y, Real x) noexcept;
 
 /// atan2(y, x), [-π, π], relative error below 2e-7 in float; (0, 0) gives 0.
 template <real_number Real>
-[[nodiscard]] Real angle_of(Real y, Real x) noexcept;
+[[nodiscard]] inline Real angle_of(Real y, Real x) noexcept;
 
 /// The angle in [-π/2, π/2] whose sine is x, for |x| ≤ 1, held there; relative error below 4e-7 in float.
 template <real_number Real>
-[[nodiscard]] Real angle_of_sine(Real x) noexcept;
+[[nodiscard]] inline Real angle_of_sine(Real x) noexcept;
 
 /// A point of the unit circle.
 template <real_number Real>
@@ -87,15 +87,15 @@ struct rotation {
 /// (cos x, sin x), absolute error below 1.5e-7 in float for |x| ≤ 100, relative error of the sine below 2e-7 near 0.
 /// In float garbage on the circle beyond 1e6. NaN and infinities give NaN.
 template <real_number Real>
-[[nodiscard]] rotation<Real> rotation_by(Real x) noexcept;
+[[nodiscard]] inline rotation<Real> rotation_by(Real x) noexcept;
 
 /// The rotation by the sum of two angles.
 template <real_number Real>
-[[nodiscard]] rotation<Real> operator*(const rotation<Real>& a, const rotation<Real>& b) noexcept;
+[[nodiscard]] inline rotation<Real> operator*(const rotation<Real>& a, const rotation<Real>& b) noexcept;
 
 /// The rotation by a's angle less b's.
 template <real_number Real>
-[[nodiscard]] rotation<Real> operator/(const rotation<Real>& a, const rotation<Real>& b) noexcept;
+[[nodiscard]] inline rotation<Real> operator/(const rotation<Real>& a, const rotation<Real>& b) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -138,13 +138,12 @@ Real small_exponential(Real x) noexcept {
   if constexpr (std::floating_point<Real> && sizeof(Real) > 4) {
     return std::expm1(x);
   } else {
-    Real p = Real(0.000198909809f);
-    p = p * x + Real(0.00139336416f);
-    p = p * x + Real(0.00833331048f);
-    p = p * x + Real(0.0416664667f);
-    p = p * x + Real(0.166666672f);
-    p = p * x + Real(0.5f);
-    return x + x * x * p;
+    // In pairs, here and below: a shorter chain of dependent operations than Horner's.
+    const Real s = x * x;
+    const Real high = Real(0.000198909809f) * x + Real(0.00139336416f);
+    const Real middle = Real(0.00833331048f) * x + Real(0.0416664667f);
+    const Real low = Real(0.166666672f) * x + Real(0.5f);
+    return x + s * (low + s * (middle + s * high));
   }
 }
 
@@ -192,15 +191,12 @@ Real unsigned_angle(Real y, Real x) noexcept {
     const Real large = greatest(up, along);
     const Real t = least(up, along) / select(large > Real(0.0f), large, large + Real(1.0f));
     const Real s = t * t;
-    Real p = Real(-0.00238699722f);
-    p = p * s + Real(0.0135077713f);
-    p = p * s + Real(-0.0358715393f);
-    p = p * s + Real(0.0625016913f);
-    p = p * s + Real(-0.0865688026f);
-    p = p * s + Real(0.110337645f);
-    p = p * s + Real(-0.142785683f);
-    p = p * s + Real(0.199997395f);
-    p = p * s + Real(-0.333333313f);
+    const Real q = s * s;
+    const Real top = Real(-0.00238699722f) * s + Real(0.0135077713f);
+    const Real high = Real(-0.0358715393f) * s + Real(0.0625016913f);
+    const Real middle = Real(-0.0865688026f) * s + Real(0.110337645f);
+    const Real low = Real(-0.142785683f) * s + Real(0.199997395f);
+    const Real p = Real(-0.333333313f) + s * ((low + q * middle) + q * q * (high + q * top));
     const Real octant = t + t * s * p;
     const Real quadrant = select(up > along, Real(1.57079637f) - octant, octant);
     return select(x < Real(0.0f), Real(3.14159274f) - quadrant, quadrant);

@@ -65,27 +65,27 @@ struct is_packed<lanes<W>> : std::true_type {};
 [[nodiscard]] constexpr int lane_width() noexcept;
 
 template <int W>
-[[nodiscard]] lanes<W> operator+(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard]] inline lanes<W> operator+(lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] lanes<W> operator-(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard]] inline lanes<W> operator-(lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] lanes<W> operator*(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard]] inline lanes<W> operator*(lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] lanes<W> operator/(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard]] inline lanes<W> operator/(lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] lane_mask<W> operator<(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard]] inline lane_mask<W> operator<(lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] lane_mask<W> operator>(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard]] inline lane_mask<W> operator>(lanes<W> a, lanes<W> b) noexcept;
 
 /// The four functions of core/elementary.hpp that a packed type brings along.
 template <int W>
-[[nodiscard]] lanes<W> select(lane_mask<W> condition, lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard]] inline lanes<W> select(lane_mask<W> condition, lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] lanes<W> square_root(lanes<W> x) noexcept;
+[[nodiscard]] inline lanes<W> square_root(lanes<W> x) noexcept;
 template <int W>
-[[nodiscard]] lanes<W> whole_part(lanes<W> x) noexcept;
+[[nodiscard]] inline lanes<W> whole_part(lanes<W> x) noexcept;
 template <int W>
-[[nodiscard]] lanes<W> power_of_two(lanes<W> e) noexcept;
+[[nodiscard]] inline lanes<W> power_of_two(lanes<W> e) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
