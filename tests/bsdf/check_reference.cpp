@@ -13,6 +13,7 @@
 #include <pelage/bsdf/marschner.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -58,11 +59,10 @@ Real cell(const csv_file& file, std::size_t row, const char* column) {
   return static_cast<Real>(file.at(row, column));
 }
 
-template <class Real>
-void compare(std::vector<comparison>& all, const csv_file& file, std::size_t row, const char* column, Real found) {
+void compare(std::vector<comparison>& all, const csv_file& file, std::size_t row, const char* column, double found,
+             double floor) {
   const double expected = file.at(row, column);
-  const double value = static_cast<double>(found);
-  all.push_back({row + 1, column, expected, value, error_of(expected, value, floor_of<Real>())});
+  all.push_back({row + 1, column, expected, found, error_of(expected, found, floor)});
 }
 
 template <class Real>
@@ -79,37 +79,46 @@ std::vector<comparison> compare_chiang(const csv_file& file) {
     const glm::vec<3, Real> eye(input("wo_x"), input("wo_y"), input("wo_z"));
     const glm::vec<3, Real> light(input("wi_x"), input("wi_y"), input("wi_z"));
     const auto bsdf = evaluate_chiang_bsdf(make_chiang_fibre(parameters), input("h"), eye, light);
-    compare(all, file, row, "f0", bsdf.f.x);
-    compare(all, file, row, "f1", bsdf.f.y);
-    compare(all, file, row, "f2", bsdf.f.z);
-    compare(all, file, row, "pdf", bsdf.density);
+    compare(all, file, row, "f0", static_cast<double>(bsdf.f.x), floor_of<Real>());
+    compare(all, file, row, "f1", static_cast<double>(bsdf.f.y), floor_of<Real>());
+    compare(all, file, row, "f2", static_cast<double>(bsdf.f.z), floor_of<Real>());
+    compare(all, file, row, "pdf", static_cast<double>(bsdf.density), floor_of<Real>());
   }
   return all;
 }
 
+/// The columns of a row of Marschner's model, computed in Real from inputs that `Input` can hold.
+template <class Real, class Input>
+std::array<Real, 7> marschner_columns(const csv_file& file, std::size_t row) {
+  const auto input = [&](const char* column) { return static_cast<Real>(cell<Input>(file, row, column)); };
+  marschner_parameters<Real> parameters = {};
+  parameters.eta = input("eta");
+  parameters.sigma_a.fill(input("sigma_a"));
+  parameters.alpha = input("alpha_R");
+  parameters.beta = input("beta_R");
+  parameters.eccentricity = 1;
+  parameters.caustic.smooth = false;
+  const auto result = evaluate_marschner(parameters, input("theta_i"), input("theta_r"), input("phi"), Real(0));
+  return {result.longitudinal[0], result.longitudinal[1], result.longitudinal[2], result.azimuthal[0][0],
+          result.azimuthal[1][0], result.azimuthal[2][0], result.scattering[0]};
+}
+
+/// Rows whose flag says that they lie by the caustic hold no values. Inputs are doubles; what rounding them to float
+/// changes, by the double model, is not held against the float one: near the fibre's edge that alone reaches 2e-5.
 template <class Real>
 std::vector<comparison> compare_marschner(const csv_file& file) {
+  const std::array<const char*, 7> names = {"M_R", "M_TT", "M_TRT", "N_R", "N_TT", "N_TRT", "S"};
   std::vector<comparison> all;
   for (std::size_t row = 0; row < file.size(); ++row) {
     if (file.at(row, "caustic_flag") != 0.0) {
       continue;
     }
-    const auto input = [&](const char* column) { return cell<Real>(file, row, column); };
-    marschner_parameters<Real> parameters = {};
-    parameters.eta = input("eta");
-    parameters.sigma_a.fill(input("sigma_a"));
-    parameters.alpha = input("alpha_R");
-    parameters.beta = input("beta_R");
-    parameters.eccentricity = 1;
-    parameters.caustic.smooth = false;
-    const auto result = evaluate_marschner(parameters, input("theta_i"), input("theta_r"), input("phi"), Real(0));
-    compare(all, file, row, "M_R", result.longitudinal[0]);
-    compare(all, file, row, "M_TT", result.longitudinal[1]);
-    compare(all, file, row, "M_TRT", result.longitudinal[2]);
-    compare(all, file, row, "N_R", result.azimuthal[0][0]);
-    compare(all, file, row, "N_TT", result.azimuthal[1][0]);
-    compare(all, file, row, "N_TRT", result.azimuthal[2][0]);
-    compare(all, file, row, "S", result.scattering[0]);
+    const std::array<Real, 7> found = marschner_columns<Real, Real>(file, row);
+    const std::array<double, 7> rounded = marschner_columns<double, Real>(file, row);
+    const std::array<double, 7> exact = marschner_columns<double, double>(file, row);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      compare(all, file, row, names[k], static_cast<double>(found[k]) - (rounded[k] - exact[k]), floor_of<Real>());
+    }
   }
   return all;
 }

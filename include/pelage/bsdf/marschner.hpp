@@ -53,6 +53,7 @@ template <std::floating_point Real>
 struct fibre_section {
   Real eta_perpendicular;  ///< η′ = √(η² - sin²θ_d)/cos θ_d
   Real eta_parallel;       ///< η″ = η²/η′
+  Real excess;             ///< η′² - 1 = (η² - 1)/cos²θ_d
   Real path_stretch;       ///< 1/cos θ_t, sin θ_t = sin θ_d/η
 };
 
@@ -107,7 +108,8 @@ fibre_section<Real> make_fibre_section(Real eta, Real theta_d) noexcept {
   // η′² = 1 + (η² - 1)/cos²θ_d: a sum of positive terms.
   const Real excess = (eta - Real(1)) * (eta + Real(1)) / (cosine * cosine);
   const Real eta_perpendicular = square_root(Real(1) + excess);
-  return fibre_section<Real>{eta_perpendicular, eta * eta / eta_perpendicular, eta / (eta_perpendicular * cosine)};
+  return fibre_section<Real>{eta_perpendicular, eta * eta / eta_perpendicular, excess,
+                             eta / (eta_perpendicular * cosine)};
 }
 
 template <std::floating_point Real>
@@ -126,7 +128,7 @@ Real path_attenuation(const fibre_section<Real>& section, int path, Real sin_gam
 template <std::floating_point Real>
 std::array<Real, 3> bare_azimuthal(const fibre_section<Real>& section, int path, Real phi,
                                    const std::array<Real, 3>& sigma_a) noexcept {
-  const scattering_roots<Real> roots = find_scattering_roots(path, phi, section.eta_perpendicular);
+  const scattering_roots<Real> roots = find_scattering_roots(path, phi, section.excess);
   std::array<Real, 3> sum = {Real(0), Real(0), Real(0)};
   for (std::uint32_t k = 0u; k < 3u; ++k) {
     if (k < roots.count) {
@@ -150,7 +152,7 @@ template <std::floating_point Real>
 std::array<Real, 3> smooth_trt(const fibre_section<Real>& section, Real phi, const std::array<Real, 3>& sigma_a,
                                const caustic_treatment<Real>& caustic) noexcept {
   const Real eta = section.eta_perpendicular;
-  const caustic_point<Real> point = find_caustic(eta);
+  const caustic_point<Real> point = find_caustic(section.excess);
   const Real phi_c = Real(2) * point.half_azimuth;
   // dφ/dh is 0 there, so d²φ/dh² is 2 d²(φ/2)/dγ² over cos²γ.
   const Real bend = Real(2) * point.curvature / greatest(point.cosine * point.cosine, Real(1e-12));

@@ -40,15 +40,15 @@ struct caustic_point {
   Real curvature;     ///< -d²(φ/2)/dγ_i² there, (0, inf); 0 where there is none
 };
 
-/// The roots of path p: 0 is R, 1 TT, 2 TRT. `phi`: azimuth in radians, any; `eta_perpendicular`: η′, [1, inf).
-/// Symmetric: -φ negates every h. Absolute error of h below 5e-7 in float and 1e-14 in double but for |dφ/dh| < 0.2,
+/// The roots of path p: 0 is R, 1 TT, 2 TRT. `phi`: azimuth in radians, any; `excess`: η′² - 1 = (η² - 1)/cos²θ_d,
+/// (0, inf), which keeps digits that η′ has lost. Symmetric: -φ negates every h. Absolute error of h below 5e-7 in float and 1e-14 in double but for |dφ/dh| < 0.2,
 /// where it grows as 1/|dφ/dh|. NaN gives no roots.
 template <std::floating_point Real>
-[[nodiscard]] scattering_roots<Real> find_scattering_roots(int path, Real phi, Real eta_perpendicular) noexcept;
+[[nodiscard]] scattering_roots<Real> find_scattering_roots(int path, Real phi, Real excess) noexcept;
 
-/// The caustic of an index, as above.
+/// The caustic of an index by η′² - 1, as above.
 template <std::floating_point Real>
-[[nodiscard]] caustic_point<Real> find_caustic(Real eta_perpendicular) noexcept;
+[[nodiscard]] caustic_point<Real> find_caustic(Real excess) noexcept;
 
 /// dφ/dh of a path at an offset h in (-1, 1).
 template <std::floating_point Real>
@@ -75,19 +75,17 @@ Real azimuth_derivative(int path, Real h, Real eta_perpendicular) noexcept {
 }
 
 template <std::floating_point Real>
-caustic_point<Real> find_caustic(Real eta_perpendicular) noexcept {
-  const Real eta = eta_perpendicular;
-  const Real sine2 = (Real(2) - eta) * (Real(2) + eta) / Real(3);
-  if (!(sine2 > Real(0))) {
+caustic_point<Real> find_caustic(Real excess) noexcept {
+  const Real sine2 = (Real(3) - excess) / Real(3);
+  if (!(sine2 > Real(0)) || !(excess > Real(0))) {
     return caustic_point<Real>{Real(0), Real(1), Real(0), Real(0)};
   }
-  const Real sine = square_root(least(sine2, Real(1)));
-  const Real cosine = square_root((eta - Real(1)) * (eta + Real(1)) / Real(3));
+  const Real sine = square_root(sine2);
+  const Real cosine = square_root(excess / Real(3));
   // There η′ cos γ_t = 2 cos γ_i, which leaves η′² sin(2γ_t - γ_i) = sin³γ_i and the like for the cosine.
   const Real sin_half = sine * sine * sine;
   const Real cos_half = cosine * (Real(4) * cosine * cosine + Real(3) * sine * sine);
-  const Real curvature = Real(2) * sine * (eta - Real(1)) * (eta + Real(1)) /
-                         (Real(8) * greatest(cosine * cosine * cosine, Real(1e-30)));
+  const Real curvature = Real(0.25) * sine * excess / (cosine * cosine * cosine);
   return caustic_point<Real>{sine, cosine, unsigned_angle(sin_half, cos_half), curvature};
 }
 
@@ -95,6 +93,7 @@ caustic_point<Real> find_caustic(Real eta_perpendicular) noexcept {
 template <std::floating_point Real>
 struct root_bracket {
   Real eta;
+  Real excess;             ///< η′² - 1
   rotation<Real> outside;  ///< γ_i at the reference end
   Real direction;          ///< 1 if γ_i grows from there, -1 if it falls
   Real length;             ///< of the stretch in γ_i
@@ -125,7 +124,7 @@ template <std::floating_point Real>
   const Real from_caustic = bracket.outside.sine == caustic.sine
                                 ? Real(0) - gain * sum
                                 : (caustic.sine - outside.sine) * (caustic.sine + outside.sine);
-  const Real above = caustic.curvature > Real(0) ? Real(0) : (Real(2) - eta) * (Real(2) + eta) / Real(3);
+  const Real above = caustic.curvature > Real(0) ? Real(0) : (Real(3) - bracket.excess) / Real(3);
   const Real cosine = absolute(outside.cosine);
   const Real slope = Real(3) * (from_caustic + above) / ((Real(2) * cosine + inside) * inside);
   const Real excess = (Real(2) * angle_of_sine(turned) - bracket.direction * x) - bracket.rise;
@@ -152,13 +151,19 @@ template <std::floating_point Real>
   return scale * rotation_by(third - Real(turn) * Real(2.09439510239319549)).cosine;
 }
 
+/// 2γ_t - γ_i at the fibre's edge, 2 asin(1/η′) - π/2, whose sine is 2/η′² - 1.
+template <std::floating_point Real>
+[[nodiscard]] Real edge_half_azimuth(Real excess) noexcept {
+  return angle_of(Real(1) - excess, Real(2) * square_root(excess));
+}
+
 /// The root of one stretch: 2γ_t - γ_i = ψ between the caustic and 0 (`inner`) or the fibre's edge.
 template <std::floating_point Real>
-[[nodiscard]] scattering_root<Real> solve_stretch(Real eta, Real half_azimuth, bool inner,
+[[nodiscard]] scattering_root<Real> solve_stretch(Real excess, Real half_azimuth, bool inner,
                                                   const caustic_point<Real>& caustic) noexcept {
   const Real right_angle = Real(1.57079632679489662);
+  const Real eta = square_root(Real(1) + excess);
   const Real caustic_angle = angle_of(caustic.sine, caustic.cosine);
-  const Real edge_half_azimuth = Real(2) * angle_of_sine(Real(1) / eta) - right_angle;
   const Real length = inner ? caustic_angle : right_angle - caustic_angle;
   const Real drop = caustic.half_azimuth - half_azimuth;
   const Real parabola = caustic.curvature > Real(0) ? square_root(Real(2) * greatest(drop, Real(0)) / caustic.curvature)
@@ -168,6 +173,7 @@ template <std::floating_point Real>
 
   root_bracket<Real> bracket;
   bracket.eta = eta;
+  bracket.excess = excess;
   bracket.length = length;
   Real x = parabola;
   if (by_caustic) {
@@ -182,7 +188,7 @@ template <std::floating_point Real>
   } else {
     bracket.outside = rotation<Real>{Real(0), Real(1)};
     bracket.direction = Real(-1);
-    bracket.rise = half_azimuth - edge_half_azimuth;
+    bracket.rise = half_azimuth - edge_half_azimuth(excess);
     x = right_angle - cubic;
   }
   if (!(x >= Real(0) && x <= length)) {
@@ -212,13 +218,14 @@ template <std::floating_point Real>
 }
 
 template <std::floating_point Real>
-scattering_roots<Real> find_scattering_roots(int path, Real phi, Real eta_perpendicular) noexcept {
+scattering_roots<Real> find_scattering_roots(int path, Real phi, Real excess) noexcept {
   scattering_roots<Real> roots;
   for (std::uint32_t k = 0u; k < 3u; ++k) {
     roots.root[k] = scattering_root<Real>{Real(0), Real(1), Real(1)};
   }
   roots.count = 0u;
-  const Real eta = greatest(eta_perpendicular, Real(1));
+  const Real above_one = greatest(excess, Real(1e-12));
+  const Real eta = square_root(Real(1) + above_one);
   const Real azimuth = wrapped_angle(phi);
   const Real side = azimuth < Real(0) ? Real(-1) : Real(1);
   const Real half = Real(0.5) * absolute(azimuth);
@@ -229,35 +236,36 @@ scattering_roots<Real> find_scattering_roots(int path, Real phi, Real eta_perpen
   }
   if (path == 1) {
     // δ = γ_i - γ_t = (π - φ)/2 and Snell's law give tan γ_i = η′ sin δ/(η′ cos δ - 1).
-    const rotation<Real> bend = rotation_by((Real(1.5703125) - half) + Real(0.000483826794896619231));
-    const rotation<Real> half_bend = rotation_by(Real(0.5) * ((Real(1.5703125) - half) + Real(0.000483826794896619231)));
-    const Real along = (eta - Real(1)) - Real(2) * eta * half_bend.sine * half_bend.sine;
-    const Real aside = eta * bend.sine;
+    const rotation<Real> mirror = rotation_by(half);
+    const Real cosine_bend = mirror.sine;
+    const Real sine_bend = mirror.cosine;
+    const Real along = (above_one * cosine_bend * cosine_bend - sine_bend * sine_bend) / (eta * cosine_bend + Real(1));
+    const Real aside = eta * sine_bend;
     const Real length = square_root(along * along + aside * aside);
     if (along >= Real(0) && length > Real(0)) {
       const Real sine = aside / length;
       const Real cosine = along / length;
       const Real inside = square_root((eta - sine) * (eta + sine));
-      const Real slope = (Real(1) - eta) * (Real(1) + eta) / ((cosine + inside) * inside);
+      const Real slope = Real(0) - above_one / ((cosine + inside) * inside);
       roots.root[0] = scattering_root<Real>{side * sine, cosine, slope};
       roots.count = 1u;
     }
   }
   if (path == 2) {
-    const caustic_point<Real> caustic = find_caustic(eta);
-    const Real edge = Real(2) * angle_of_sine(Real(1) / eta) - Real(1.57079632679489662);
+    const caustic_point<Real> caustic = find_caustic(above_one);
+    const Real edge = edge_half_azimuth(above_one);
     if (caustic.curvature > Real(0) && half <= caustic.half_azimuth) {
-      const scattering_root<Real> near = solve_stretch(eta, half, true, caustic);
+      const scattering_root<Real> near = solve_stretch(above_one, half, true, caustic);
       roots.root[roots.count] = scattering_root<Real>{side * near.sine, near.cosine, near.slope};
       roots.count = roots.count + 1u;
       if (half >= edge) {
-        const scattering_root<Real> far = solve_stretch(eta, half, false, caustic);
+        const scattering_root<Real> far = solve_stretch(above_one, half, false, caustic);
         roots.root[roots.count] = scattering_root<Real>{side * far.sine, far.cosine, far.slope};
         roots.count = roots.count + 1u;
       }
     }
     if (Real(0) - half >= edge) {
-      const scattering_root<Real> opposite = solve_stretch(eta, Real(0) - half, false, caustic);
+      const scattering_root<Real> opposite = solve_stretch(above_one, Real(0) - half, false, caustic);
       roots.root[roots.count] = scattering_root<Real>{Real(0) - side * opposite.sine, opposite.cosine, opposite.slope};
       roots.count = roots.count + 1u;
     }

@@ -156,7 +156,7 @@ def marschner_rows(count, draw):
         theta_i = draw.uniform(-1.4, 1.4)
         theta_r = draw.choice([draw.uniform(-1.4, 1.4), max(-1.4, min(1.4, -theta_i + draw.gauss(0, 0.2)))])
         phi = draw.choice([draw.uniform(-math.pi, math.pi), draw.uniform(-0.5, 0.5), draw.uniform(-0.02, 0.02)])
-        eta = draw.choice([1.55, draw.uniform(1.3, 1.9), draw.uniform(1.05, 1.4)])
+        eta = draw.choice([1.55, draw.uniform(1.3, 1.9), draw.uniform(1.1, 1.4)])
         sigma = draw.choice([0, 0.2, 0.8, 2, 10 ** draw.uniform(-3, 0.5)])
         alpha, beta = math.radians(draw.uniform(-10, -5)), math.radians(draw.uniform(5, 10))
         inputs = [theta_i, theta_r, phi, eta, sigma, alpha, beta]
