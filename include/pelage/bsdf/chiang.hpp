@@ -8,6 +8,7 @@
 #include <pelage/core/elementary.hpp>
 
 #include <array>
+#include <cstdint>
 
 namespace pelage {
 

@@ -11,8 +11,11 @@ namespace pelage {
 /// A fibre thinner than a pixel: the model averaged over the fibre's width, ½ ∫ f(h) dh over [-1, 1].
 ///
 /// The rule: h = sin γ, which takes the square roots at the edges out of the integrand, and three Gauss points in
-/// each of `Panels` equal parts of γ. Relative error of the peak below 1e-3 with 4 panels at β_n 0.3, 1e-4 with 8;
-/// halving β_n takes twice the panels. Cost 3 Panels evaluations of the near field. Panels in [1, 64].
+/// each of `Panels` equal parts of γ. Largest error against the greatest value at one inclination: 0.03 with 4 panels
+/// at β_n 0.3, 0.004 with 8; half of β_n takes twice the panels and a few more. Integrals over directions, such as
+/// energies, are within 2e-4 with 4. Cost 3 Panels evaluations of the near field. Panels in [1, 64].
+
+/// One point of the rule.
 template <std::floating_point Real>
 struct width_node {
   Real h;       ///< place across the width, (-1, 1)
@@ -23,8 +26,8 @@ struct width_node {
 template <int Panels, std::floating_point Real>
 [[nodiscard]] width_node<Real> fibre_width_node(int node) noexcept;
 
-/// The average. Only h varies: `eye` and `light` are what they are for the near field. `value` holds f |cos| and `density` that of
-/// sampling after drawing h uniformly.
+/// The average. Only h varies: `eye` and `light` are what they are for the near field. `value` holds f |cos| and
+/// `density` that of sampling after drawing h uniformly.
 template <int Panels, std::floating_point Real>
 [[nodiscard]] chiang_result<Real> evaluate_chiang_far(const chiang_fibre<Real>& fibre, const fibre_direction<Real>& eye,
                                                       const fibre_direction<Real>& light) noexcept;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <concepts>
+#include <cstdint>
 
 namespace pelage {
 
@@ -22,7 +23,7 @@ template <std::floating_point Real>
 struct chiang_sample {
   glm::vec<3, Real> direction;  ///< unit length within 3e-7 in float
   chiang_result<Real> result;   ///< value/density is the sample's weight; density 0 only where the fibre is black
-  int lobe;                     ///< 0 R, 1 TT, 2 TRT, 3 residual
+  std::uint32_t lobe;           ///< 0 R, 1 TT, 2 TRT, 3 residual
 };
 
 /// f and density for two unit vectors in the fibre's frame; one call for what a view and a light cost apart. Where
@@ -59,7 +60,7 @@ chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_
   const Real second = first + view.weights[1];
   const Real third = second + view.weights[2];
   const bool residual = u[0] >= third && view.weights[3] > Real(0);
-  const int lobe = residual ? 3 : (u[0] < first ? 0 : (u[0] < second ? 1 : 2));
+  const std::uint32_t lobe = residual ? 3u : (u[0] < first ? 0u : (u[0] < second ? 1u : 2u));
 
   rotation<Real> tilted = rotation<Real>{view.eye.cosine, view.eye.sine};
   rotation<Real> middle = rotation<Real>{view.eye.y, view.eye.z};
