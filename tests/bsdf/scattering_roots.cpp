@@ -27,8 +27,8 @@ double azimuth(int path, double h, double eta) {
 int count_by_scan(int path, double phi, double eta) {
   int count = 0;
   double last = 0.0;
-  for (int k = 0; k <= 20000; ++k) {
-    const double h = std::sin(pi * (k / 20000.0 - 0.5));
+  for (int k = 0; k <= 4000; ++k) {
+    const double h = std::sin(pi * (k / 4000.0 - 0.5));
     const double residual = wrapped_angle(azimuth(path, h, eta) - phi);
     if (k > 0 && residual * last < 0.0 && std::abs(residual - last) < 1.0) {
       ++count;
