@@ -29,3 +29,20 @@ TEST_CASE("four lanes give the kernel's bits") {
                 RC_ASSERT(chiang_density(quad, quad_view, light) == chiang_density(fibre, view, light));
               });
 }
+
+TEST_CASE("four lanes draw the kernel's directions") {
+  test::holds("direction, lobe, value and density are those of sample_chiang()",
+              [](std::uint16_t a, std::uint16_t b, std::uint16_t c, std::uint16_t d, std::int8_t h, std::int8_t theta) {
+                const auto fibre = make_chiang_fibre<float>({1.55f, {0.1f, 0.2f, 0.3f}, 0.4f, 0.2f, 0.1f});
+                const auto eye = direction_by_fibre(test::unit_vector<float>(theta / 128.0 * 1.5707, 2.0));
+                const auto number = [](std::uint16_t x) { return static_cast<float>(x) / 65536.0f; };
+                const std::array<float, 4> u = {number(a), number(b), number(c), number(d)};
+                const auto expected = sample_chiang(fibre, view_chiang(fibre, h / 127.0f, eye), u);
+                const chiang_quad_fibre quad = make_chiang_quad_fibre(fibre);
+                const auto found = sample_chiang(quad, view_chiang(quad, h / 127.0f, eye), u);
+                RC_ASSERT(found.direction == expected.direction);
+                RC_ASSERT(found.lobe == expected.lobe);
+                RC_ASSERT(found.result.value == expected.result.value);
+                RC_ASSERT(found.result.density == expected.result.density);
+              });
+}

@@ -22,7 +22,7 @@ struct bessel_i0_parts {
 /// are all positive, up to 20, beyond it the asymptotic series, whose least term is then below e⁻⁴⁰.
 /// [Abramowitz & Stegun 9.6.12, 9.7.1]
 template <real_number Real>
-[[nodiscard]] inline bessel_i0_parts<Real> bessel_i0(Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline bessel_i0_parts<Real> bessel_i0(Real x) noexcept;
 
 /// ln I₀(x), x in [0, +inf): relative error below 1e-6 in float, 1e-14 in double, near 0 (x²/4) as elsewhere.
 template <std::floating_point Real>
@@ -57,7 +57,7 @@ template <std::floating_point Real>
 
 /// I₀ - 1 over x² in float, x² ≤ 36.
 template <real_number Real>
-[[nodiscard]] inline Real bessel_i0_rise(Real square) noexcept {
+[[nodiscard, gnu::always_inline]] inline Real bessel_i0_rise(Real square) noexcept {
   const Real s2 = square * square;
   const Real top = Real(8.05699179e-15f) + Real(4.52113265e-17f) * square;
   const Real high = Real(4.69433437e-10f) + Real(2.46096026e-12f) * square;

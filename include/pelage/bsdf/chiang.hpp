@@ -97,21 +97,21 @@ struct chiang_section {
 
 /// Refraction in the fibre's section at an offset h.
 template <real_number Real>
-[[nodiscard]] inline chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o, Real cos_o) noexcept;
+[[nodiscard, gnu::always_inline]] inline chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o, Real cos_o) noexcept;
 
 /// A_0 to A_3 for one σ_a. [Chiang 2016 Eq. 6; d'Eon 2011 §3.2]
 template <real_number Real>
-[[nodiscard]] inline std::array<Real, 4> chiang_attenuation(const chiang_section<Real>& section, Real sigma_a) noexcept;
+[[nodiscard, gnu::always_inline]] inline std::array<Real, 4> chiang_attenuation(const chiang_section<Real>& section, Real sigma_a) noexcept;
 
 /// M of one lobe: `sum` holds cos and sin of θ_i + θ_o before the lobe's tilt.
 template <real_number Real>
-[[nodiscard]] inline Real chiang_along(const longitudinal_lobe<Real>& lobe, const rotation<Real>& sum,
+[[nodiscard, gnu::always_inline]] inline Real chiang_along(const longitudinal_lobe<Real>& lobe, const rotation<Real>& sum,
                                 const rotation<Real>& tilt, const rotation<Real>& tilted, Real flipped, Real sin_i,
                                 Real cos_i) noexcept;
 
 /// N of one lobe round its middle.
 template <real_number Real>
-[[nodiscard]] inline Real chiang_round(const azimuthal_lobe<Real>& lobe, const rotation<Real>& middle, Real y,
+[[nodiscard, gnu::always_inline]] inline Real chiang_round(const azimuthal_lobe<Real>& lobe, const rotation<Real>& middle, Real y,
                                 Real z) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
@@ -212,12 +212,12 @@ chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o, Real cos
   // sin γ_t = h/η′ with η′ = √(η² - sin²θ_o)/cos θ_o.
   const Real across = greatest(Real(-1), least(Real(1), h));
   const Real cos_gamma_o = square_root((Real(1) - across) * (Real(1) + across));
-  const Real bent = square_root(greatest((eta - sin_o) * (eta + sin_o), Real(1e-36)));
-  const Real sin_gamma_t = across * least(cos_o / bent, Real(1));
+  const Real over_bent = Real(1) / square_root(greatest((eta - sin_o) * (eta + sin_o), Real(1e-36)));
+  const Real sin_gamma_t = across * least(cos_o * over_bent, Real(1));
   const Real cos_gamma_t = square_root((Real(1) - sin_gamma_t) * (Real(1) + sin_gamma_t));
   // One crossing is 2 cos γ_t/cos θ_t long, and cos θ_t = √(η² - sin²θ_o)/η.
   return chiang_section<Real>{
-      dielectric_interface(cos_o * cos_gamma_o, eta), Real(2) * cos_gamma_t * eta / bent,
+      dielectric_interface(cos_o * cos_gamma_o, eta), Real(2) * cos_gamma_t * eta * over_bent,
       rotation<Real>{Real(1) - Real(2) * across * across, Real(2) * across * cos_gamma_o},
       rotation<Real>{Real(2) * sin_gamma_t * sin_gamma_t - Real(1), Real(-2) * sin_gamma_t * cos_gamma_t}};
 }

@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/bsdf/chiang.hpp>
+#include <pelage/bsdf/chiang_sampling.hpp>
 #include <pelage/core/lanes.hpp>
 
-#include <glm/vec3.hpp>
-
 #include <array>
+#include <cstdint>
 
 namespace pelage {
 
@@ -26,28 +25,32 @@ struct chiang_quad_view {
   fibre_direction<float> eye;
   rotation<lanes<4>> tilted;            ///< lanes are lobes
   lanes<4> flipped;
-  rotation<lanes<4>> towards;           ///< the residual's is the eye's own azimuth and of no use
+  rotation<lanes<4>> towards;           ///< the residual's is the eye's own azimuth
   std::array<lanes<4>, 4> attenuation;  ///< per lobe; lanes are red, green, blue and of no use
   lanes<4> weights;                     ///< probabilities of the lobes; lanes are lobes
 };
 
 /// Regroups a fibre.
-[[nodiscard]] inline chiang_quad_fibre make_chiang_quad_fibre(const chiang_fibre<float>& fibre) noexcept;
+[[nodiscard, gnu::always_inline]] inline chiang_quad_fibre make_chiang_quad_fibre(const chiang_fibre<float>& fibre) noexcept;
 
 /// view_chiang() of it.
-[[nodiscard]] inline chiang_quad_view view_chiang(const chiang_quad_fibre& fibre, float h,
+[[nodiscard, gnu::always_inline]] inline chiang_quad_view view_chiang(const chiang_quad_fibre& fibre, float h,
                                                   const fibre_direction<float>& eye) noexcept;
 
 /// evaluate_chiang() of it.
-[[nodiscard]] inline chiang_result<float> evaluate_chiang(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
+[[nodiscard, gnu::always_inline]] inline chiang_result<float> evaluate_chiang(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
                                                           const fibre_direction<float>& light) noexcept;
 
 /// chiang_density() of it.
-[[nodiscard]] inline float chiang_density(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
+[[nodiscard, gnu::always_inline]] inline float chiang_density(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
                                           const fibre_direction<float>& light) noexcept;
 
+/// sample_chiang() of it.
+[[nodiscard, gnu::always_inline]] inline chiang_sample<float> sample_chiang(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
+                                                        const std::array<float, 4>& u) noexcept;
+
 /// M_p N_p of the four lobes.
-[[nodiscard]] inline lanes<4> chiang_lobes(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
+[[nodiscard, gnu::always_inline]] inline lanes<4> chiang_lobes(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
                                            const fibre_direction<float>& light) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
@@ -146,6 +149,27 @@ inline float chiang_density(const chiang_quad_fibre& fibre, const chiang_quad_vi
                             const fibre_direction<float>& light) noexcept {
   const lanes<4> density = chiang_lobes(fibre, view, light) * view.weights;
   return ((density.lane[0] + density.lane[1]) + density.lane[2]) + density.lane[3];
+}
+
+inline chiang_sample<float> sample_chiang(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
+                                          const std::array<float, 4>& u) noexcept {
+  std::array<float, 4> weights, variance, concentration, cosine, sine, y, z;
+  view.weights.store(weights.data());
+  fibre.longitudinal.variance.store(variance.data());
+  fibre.longitudinal.concentration.store(concentration.data());
+  view.tilted.cosine.store(cosine.data());
+  view.tilted.sine.store(sine.data());
+  view.towards.cosine.store(y.data());
+  view.towards.sine.store(z.data());
+  chiang_sample<float> sample;
+  sample.lobe = pick_chiang_lobe(weights, u[0]);
+  const std::uint32_t p = sample.lobe;
+  const longitudinal_lobe<float> along = {variance[p], concentration[p], 0.0f};  // drawing needs no height
+  const azimuthal_lobe<float> round = {fibre.azimuthal.scale.lane[0], 0.0f, 0.0f};
+  sample.direction = draw_chiang_direction(along, round, rotation<float>{cosine[p], sine[p]},
+                                           rotation<float>{y[p], z[p]}, p == 3u, u);
+  sample.result = evaluate_chiang(fibre, view, direction_by_fibre(sample.direction));
+  return sample;
 }
 
 }  // namespace pelage

@@ -40,6 +40,18 @@ template <std::floating_point Real>
 [[nodiscard]] chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                                 const std::array<Real, 4>& u) noexcept;
 
+/// The lobe that a number in [0, 1) picks by its weight. A residual lobe of weight 0 is not picked.
+template <std::floating_point Real>
+[[nodiscard]] inline std::uint32_t pick_chiang_lobe(const std::array<Real, 4>& weights, Real u) noexcept;
+
+/// Draws a direction from one lobe: its M round the eye's tilted inclination, its N round the middle, or for the
+/// `residual` lobe any azimuth. Takes the last three of the four numbers.
+template <std::floating_point Real>
+[[nodiscard]] inline glm::vec<3, Real> draw_chiang_direction(const longitudinal_lobe<Real>& along,
+                                                             const azimuthal_lobe<Real>& round,
+                                                             const rotation<Real>& tilted, const rotation<Real>& middle,
+                                                             bool residual, const std::array<Real, 4>& u) noexcept;
+
 // ---------------------------------------------------------------------------------------------------------
 
 template <std::floating_point Real>
@@ -56,37 +68,42 @@ chiang_bsdf<Real> evaluate_chiang_bsdf(const chiang_fibre<Real>& fibre, Real h, 
 template <std::floating_point Real>
 chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                   const std::array<Real, 4>& u) noexcept {
-  const Real first = view.weights[0];
-  const Real second = first + view.weights[1];
-  const Real third = second + view.weights[2];
-  const bool residual = u[0] >= third && view.weights[3] > Real(0);
-  const std::uint32_t lobe = residual ? 3u : (u[0] < first ? 0u : (u[0] < second ? 1u : 2u));
-
+  chiang_sample<Real> sample;
+  sample.lobe = pick_chiang_lobe(view.weights, u[0]);
+  longitudinal_lobe<Real> along = fibre.longitudinal[3];
   rotation<Real> tilted = rotation<Real>{view.eye.cosine, view.eye.sine};
   rotation<Real> middle = rotation<Real>{view.eye.y, view.eye.z};
-  Real distance = Real(6.283185307179586477) * u[3];
   for (std::uint32_t p = 0u; p < 3u; ++p) {
-    if (p == lobe) {
+    if (p == sample.lobe) {
+      along = fibre.longitudinal[p];
       tilted = view.tilted[p];
       middle = view.towards[p];
-      distance = sample_azimuthal(fibre.azimuthal, u[3]);
     }
   }
-  longitudinal_lobe<Real> along = fibre.longitudinal[0];
-  for (std::uint32_t p = 1u; p < 4u; ++p) {
-    if (p == lobe) {
-      along = fibre.longitudinal[p];
-    }
-  }
+  sample.direction = draw_chiang_direction(along, fibre.azimuthal, tilted, middle, sample.lobe == 3u, u);
+  sample.result = evaluate_chiang(fibre, view, direction_by_fibre(sample.direction));
+  return sample;
+}
+
+template <std::floating_point Real>
+std::uint32_t pick_chiang_lobe(const std::array<Real, 4>& weights, Real u) noexcept {
+  const Real first = weights[0];
+  const Real second = first + weights[1];
+  const Real third = second + weights[2];
+  const bool residual = u >= third && weights[3] > Real(0);
+  return residual ? 3u : (u < first ? 0u : (u < second ? 1u : 2u));
+}
+
+template <std::floating_point Real>
+glm::vec<3, Real> draw_chiang_direction(const longitudinal_lobe<Real>& along, const azimuthal_lobe<Real>& round,
+                                        const rotation<Real>& tilted, const rotation<Real>& middle, bool residual,
+                                        const std::array<Real, 4>& u) noexcept {
+  const Real distance = residual ? Real(6.283185307179586477) * u[3] : sample_azimuthal(round, u[3]);
   const rotation<Real> inclination = sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
   const rotation<Real> azimuth = middle * rotation_by(distance);
-  const Real length = square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
-  const Real across = inclination.cosine / length;
-  chiang_sample<Real> sample;
-  sample.direction = glm::vec<3, Real>(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
-  sample.result = evaluate_chiang(fibre, view, direction_by_fibre(sample.direction));
-  sample.lobe = lobe;
-  return sample;
+  const Real across =
+      inclination.cosine / square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
+  return glm::vec<3, Real>(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
 }
 
 }  // namespace pelage

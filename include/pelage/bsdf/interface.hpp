@@ -16,7 +16,7 @@ struct interface_shares {
 /// The shares of a surface met at `cos_theta` in [0, 1], `eta` the index behind over the index before, (0, inf).
 /// cos_theta = 0 and total reflection give (1, 0). Relative error of each below 1e-6 in float.
 template <real_number Real>
-[[nodiscard]] inline interface_shares<Real> dielectric_interface(Real cos_theta, Real eta) noexcept;
+[[nodiscard, gnu::always_inline]] inline interface_shares<Real> dielectric_interface(Real cos_theta, Real eta) noexcept;
 
 /// The same with Bravais indices: light in a plane inclined to a cylinder's section refracts in the section as if
 /// by η′, and its second polarisation reflects as if by η″. [Marschner 2003 App. B]
@@ -24,7 +24,7 @@ template <real_number Real>
 /// `cos_outside`, `cos_inside`: cosines of incidence and of refraction by η′ in the section, [0, 1].
 /// `cos_outside` = 0 gives (1, 0).
 template <real_number Real>
-[[nodiscard]] inline interface_shares<Real> bravais_interface(Real cos_outside, Real cos_inside, Real eta_perpendicular,
+[[nodiscard, gnu::always_inline]] inline interface_shares<Real> bravais_interface(Real cos_outside, Real cos_inside, Real eta_perpendicular,
                                                        Real eta_parallel) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
@@ -50,11 +50,12 @@ interface_shares<Real> bravais_interface(Real cos_outside, Real cos_inside, Real
 
 template <real_number Real>
 interface_shares<Real> dielectric_interface(Real cos_theta, Real eta) noexcept {
-  // η cos θt = √(η² - sin²θ), which is 0 or less where everything is reflected.
+  // n = η cos θt = √(η² - sin²θ), which is 0 or less where everything is reflected. With n for the inner cosine the
+  // factors that take it to both polarisations are 1 and η².
   const Real inside2 = (eta - Real(1)) * (eta + Real(1)) + cos_theta * cos_theta;
   const Real enters = select(inside2 > Real(0), Real(1), Real(0));
-  const Real cos_inside = square_root(greatest(inside2, Real(0))) / eta;
-  return bravais_interface(cos_theta * enters, cos_inside, eta, eta);
+  const Real n = square_root(greatest(inside2, Real(0)));
+  return bravais_interface(cos_theta * enters, n, Real(1), eta * eta);
 }
 
 }  // namespace pelage

@@ -21,9 +21,9 @@ struct fibre_direction {
 
 /// Takes a unit vector with x along the fibre apart. Its cosine is √(1 - x²), whatever y and z are.
 template <real_number Real>
-[[nodiscard]] inline fibre_direction<Real> direction_by_fibre(Real x, Real y, Real z) noexcept;
+[[nodiscard, gnu::always_inline]] inline fibre_direction<Real> direction_by_fibre(Real x, Real y, Real z) noexcept;
 template <std::floating_point Real>
-[[nodiscard]] inline fibre_direction<Real> direction_by_fibre(const glm::vec<3, Real>& w) noexcept;
+[[nodiscard, gnu::always_inline]] inline fibre_direction<Real> direction_by_fibre(const glm::vec<3, Real>& w) noexcept;
 
 /// Light spread along the fibre by a rough cuticle, normalised over the sphere: a von Mises–Fisher distribution seen
 /// by its inclination. Made once per roughness. [d'Eon 2011 §3.1, Eq. 7]
@@ -50,19 +50,19 @@ struct inclination_pair {
 ///
 /// The exponent is formed as gap/v, where nothing cancels: relative error below 1e-6 · (1 + gap/v) in float.
 template <real_number Real>
-[[nodiscard]] inline Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe, inclination_pair<Real> pair) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe, inclination_pair<Real> pair) noexcept;
 
 /// The sine of the sum of two inclinations, which keeps its digits where they nearly cancel: precise for exact sines.
 template <real_number Real>
-[[nodiscard]] inline Real sine_of_sum(Real sin_a, Real cos_a, Real sin_b, Real cos_b) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real sine_of_sum(Real sin_a, Real cos_a, Real sin_b, Real cos_b) noexcept;
 
 /// 1 - cos x of an angle given by both, precise where x is small.
 template <real_number Real>
-[[nodiscard]] inline Real versine(rotation<Real> x) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real versine(rotation<Real> x) noexcept;
 
 /// M of two inclinations given by sine and cosine.
 template <real_number Real>
-[[nodiscard]] inline Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin_i, Real cos_i, Real sin_o,
+[[nodiscard, gnu::always_inline]] inline Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin_i, Real cos_i, Real sin_o,
                                          Real cos_o) noexcept;
 
 /// Draws θ_i with density M(θ_i, θ_o) cos θ_i from two numbers in [0, 1). Its sine and cosine come from a unit vector,

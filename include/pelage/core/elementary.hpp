@@ -29,36 +29,43 @@ template <std::floating_point Real>
 
 /// √x; a negative x or NaN gives NaN. Packed types overload.
 template <std::floating_point Real>
-[[nodiscard]] inline Real square_root(Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real square_root(Real x) noexcept;
 
 /// x without its fraction, towards 0, for |x| < 2³¹. Packed types overload.
 template <std::floating_point Real>
 [[nodiscard]] constexpr Real whole_part(Real x) noexcept;
 
-/// 2^(e - 127) for a whole e in [1, 254]; e = 0 gives 0, e = 255 +inf. Packed types overload.
-[[nodiscard]] constexpr float power_of_two(float e) noexcept;
+/// A number's whole part, and the power of two that has it for its exponent's bits.
+template <class Real>
+struct exponent_parts {
+  Real whole;  ///< e, the argument towards 0
+  Real power;  ///< 2^(e - 127); 0 for e = 0, +inf for e = 255
+};
+
+/// The parts of an argument in [0, 256). Packed types overload.
+[[nodiscard]] constexpr exponent_parts<float> split_exponent(float biased) noexcept;
 
 /// |x|, and 0 for -0.
 template <real_number Real>
-[[nodiscard]] inline Real absolute(Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real absolute(Real x) noexcept;
 
 /// The lesser and the greater of two; b if either is NaN.
 template <real_number Real>
-[[nodiscard]] inline Real least(Real a, Real b) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real least(Real a, Real b) noexcept;
 template <real_number Real>
-[[nodiscard]] inline Real greatest(Real a, Real b) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real greatest(Real a, Real b) noexcept;
 
 /// eˣ - 1 for |x| ≤ 0.35, relative error below 1.5e-7 in float. Outside: garbage in float.
 template <real_number Real>
-[[nodiscard]] inline Real small_exponential(Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real small_exponential(Real x) noexcept;
 
 /// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN.
 template <real_number Real>
-[[nodiscard]] inline Real exponential(Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real exponential(Real x) noexcept;
 
 /// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is.
 template <real_number Real>
-[[nodiscard]] inline Real one_minus_exponential(Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real one_minus_exponential(Real x) noexcept;
 
 /// ln x for normal x > 0, within 1.1e-7 · max(1, |ln x|) in float. In float zero, denormals and negatives give -87.3.
 template <std::floating_point Real>
@@ -67,15 +74,15 @@ template <std::floating_point Real>
 /// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
 /// gives 0. The length of the vector does not matter but for overflow of neither and NaN in either, which give NaN.
 template <real_number Real>
-[[nodiscard]] inline Real unsigned_angle(Real y, Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real unsigned_angle(Real y, Real x) noexcept;
 
 /// atan2(y, x), [-π, π], relative error below 2e-7 in float; (0, 0) gives 0.
 template <real_number Real>
-[[nodiscard]] inline Real angle_of(Real y, Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real angle_of(Real y, Real x) noexcept;
 
 /// The angle in [-π/2, π/2] whose sine is x, for |x| ≤ 1, held there; relative error below 4e-7 in float.
 template <real_number Real>
-[[nodiscard]] inline Real angle_of_sine(Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real angle_of_sine(Real x) noexcept;
 
 /// A point of the unit circle.
 template <real_number Real>
@@ -87,15 +94,15 @@ struct rotation {
 /// (cos x, sin x), absolute error below 1.5e-7 in float for |x| ≤ 100, relative error of the sine below 2e-7 near 0.
 /// In float garbage on the circle beyond 1e6. NaN and infinities give NaN.
 template <real_number Real>
-[[nodiscard]] inline rotation<Real> rotation_by(Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline rotation<Real> rotation_by(Real x) noexcept;
 
 /// The rotation by the sum of two angles.
 template <real_number Real>
-[[nodiscard]] inline rotation<Real> operator*(const rotation<Real>& a, const rotation<Real>& b) noexcept;
+[[nodiscard, gnu::always_inline]] inline rotation<Real> operator*(const rotation<Real>& a, const rotation<Real>& b) noexcept;
 
 /// The rotation by a's angle less b's.
 template <real_number Real>
-[[nodiscard]] inline rotation<Real> operator/(const rotation<Real>& a, const rotation<Real>& b) noexcept;
+[[nodiscard, gnu::always_inline]] inline rotation<Real> operator/(const rotation<Real>& a, const rotation<Real>& b) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -114,8 +121,9 @@ constexpr Real whole_part(Real x) noexcept {
   return static_cast<Real>(static_cast<int>(x));
 }
 
-constexpr float power_of_two(float e) noexcept {
-  return std::bit_cast<float>(static_cast<std::uint32_t>(e) << 23u);
+constexpr exponent_parts<float> split_exponent(float biased) noexcept {
+  const std::uint32_t e = static_cast<std::uint32_t>(biased);
+  return exponent_parts<float>{static_cast<float>(e), std::bit_cast<float>(e << 23u)};
 }
 
 template <real_number Real>
@@ -155,10 +163,10 @@ Real exponential(Real x) noexcept {
     // x = n ln 2 + r; the bounds keep n + 127 in [0, 255], whose ends are 0 and infinity as exponents.
     const Real held = select(x < Real(-100.0f), Real(-100.0f), select(x > Real(89.0f), Real(89.0f), x));
     const Real biased = held * Real(1.44269502f) + Real(127.5f);
-    const Real e = whole_part(select(biased > Real(0.0f), biased, Real(0.0f)));
-    const Real n = e - Real(127.0f);
+    const exponent_parts<Real> e = split_exponent(select(biased > Real(0.0f), biased, Real(0.0f)));
+    const Real n = e.whole - Real(127.0f);
     const Real r = (held - n * Real(0.693359375f)) + n * Real(0.000212194442f);
-    return select(e > Real(0.0f), small_exponential(r) + Real(1.0f), r - r) * power_of_two(e);
+    return select(e.whole > Real(0.0f), small_exponential(r) + Real(1.0f), r - r) * e.power;
   }
 }
 
@@ -188,8 +196,7 @@ Real unsigned_angle(Real y, Real x) noexcept {
   } else {
     const Real up = absolute(y);
     const Real along = absolute(x);
-    const Real large = greatest(up, along);
-    const Real t = least(up, along) / select(large > Real(0.0f), large, large + Real(1.0f));
+    const Real t = least(up, along) / greatest(greatest(up, along), Real(1e-37f));
     const Real s = t * t;
     const Real q = s * s;
     const Real top = Real(-0.00238699722f) * s + Real(0.0135077713f);

@@ -65,27 +65,27 @@ struct is_packed<lanes<W>> : std::true_type {};
 [[nodiscard]] constexpr int lane_width() noexcept;
 
 template <int W>
-[[nodiscard]] inline lanes<W> operator+(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W> operator+(lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] inline lanes<W> operator-(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W> operator-(lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] inline lanes<W> operator*(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W> operator*(lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] inline lanes<W> operator/(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W> operator/(lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] inline lane_mask<W> operator<(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard, gnu::always_inline]] inline lane_mask<W> operator<(lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] inline lane_mask<W> operator>(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard, gnu::always_inline]] inline lane_mask<W> operator>(lanes<W> a, lanes<W> b) noexcept;
 
 /// The four functions of core/elementary.hpp that a packed type brings along.
 template <int W>
-[[nodiscard]] inline lanes<W> select(lane_mask<W> condition, lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W> select(lane_mask<W> condition, lanes<W> a, lanes<W> b) noexcept;
 template <int W>
-[[nodiscard]] inline lanes<W> square_root(lanes<W> x) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W> square_root(lanes<W> x) noexcept;
 template <int W>
-[[nodiscard]] inline lanes<W> whole_part(lanes<W> x) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W> whole_part(lanes<W> x) noexcept;
 template <int W>
-[[nodiscard]] inline lanes<W> power_of_two(lanes<W> e) noexcept;
+[[nodiscard, gnu::always_inline]] inline exponent_parts<lanes<W>> split_exponent(lanes<W> biased) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -178,10 +178,12 @@ lanes<W> whole_part(lanes<W> x) noexcept {
 }
 
 template <int W>
-lanes<W> power_of_two(lanes<W> e) noexcept {
+exponent_parts<lanes<W>> split_exponent(lanes<W> biased) noexcept {
   using integers = typename lanes<W>::integers;
   using vector = typename lanes<W>::vector;
-  return lanes<W>(reinterpret_cast<vector>(__builtin_convertvector(e.lane, integers) << 23));
+  const integers e = __builtin_convertvector(biased.lane, integers);
+  return exponent_parts<lanes<W>>{lanes<W>(__builtin_convertvector(e, vector)),
+                                  lanes<W>(reinterpret_cast<vector>(e << 23))};
 }
 
 }  // namespace pelage
