@@ -161,7 +161,7 @@ std::string curves(const char* data, const lobe_model& model, bool polar) {
 std::string polar_frame(const char* title) {
   return fmt::format(
       "reset\nset polar\nset angles degrees\nunset border\nunset xtics\nunset ytics\nunset raxis\nset rtics format ''\n"
-      "set grid polar 30\nset size square\nset key top right\nset title \"{}\"\n",
+      "set grid polar 30\nset size square\nset key outside right top samplen 2\nset title \"{}\"\n",
       title);
 }
 
@@ -176,12 +176,12 @@ std::string script(const lobe_settings& settings, const std::string& title, cons
   text += fmt::format(
       "set title 'M: along the fibre (light at {:.0f}°)'\nset xlabel 'inclination θ, degrees (+ to the tip)'\n"
       "set ylabel 'share of light per radian (root scale)'\nset xrange [-90:90]\nset yrange [0:*]\nset xtics 30\n"
-      "set nonlinear y via sqrt(y) inverse y**2\nset ytics auto\nset key top right\n",
+      "set nonlinear y via sqrt(y) inverse y**2\nset ytics (0, 0.01, 0.05, 0.2, 0.5, 1, 2, 4, 8)\nset key top right\n",
       settings.theta_i * 180.0 / pi);
   text += curves("$along", model, false);
   text += polar_frame("N: round the fibre, radius √ (light from the right)") + curves("$round", model, true);
   text += polar_frame("Cut along fibre and light, radius √ (tip up, light from the right)") +
-          curves("$cut", model, true);
+          "unset key\n" + curves("$cut", model, true);
   text += fmt::format(
       "reset\nset title 'The sphere, in the colours that leave'\nset xrange [-180:180]\nset yrange [-90:90]\n"
       "set xtics 60\nset ytics 30\nset size ratio 0.5\nset xlabel 'azimuth φ (0: back to the light)'\n"

@@ -7,6 +7,7 @@
 
 #include <property.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -203,4 +204,39 @@ TEST_CASE("tints scale their lobe alone") {
   const auto light = direction_by_fibre(test::unit_vector<double>(-0.3, 3.1));
   CHECK(evaluate_chiang(fibre, view, light).value[0] ==
         doctest::Approx(chiang_lobes(fibre, view, light)[1] * view.attenuation[1][0]).epsilon(1e-15));
+}
+
+TEST_CASE("float is within 2e-5 of double wherever f or the density exceeds 1e-6") {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<float> draw(0.0f, 1.0f);
+  double worst = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    chiang_parameters<float> narrow = {1.3f + 0.5f * draw(generator),
+                                       {3.0f * draw(generator), 0.0f, 0.1f * draw(generator)},
+                                       0.08f + 0.92f * draw(generator),
+                                       0.08f + 0.92f * draw(generator),
+                                       0.34f * draw(generator) - 0.17f};
+    const chiang_parameters<double> wide = {
+        narrow.eta, {narrow.sigma_a[0], narrow.sigma_a[1], narrow.sigma_a[2]}, narrow.beta_m, narrow.beta_n, narrow.tilt};
+    const float h = 2.0f * draw(generator) - 1.0f;
+    const double theta = std::asin(2.0 * static_cast<double>(draw(generator)) - 1.0);
+    const glm::vec3 eye = test::unit_vector<float>(theta, 6.28 * static_cast<double>(draw(generator)));
+    // Half of the lights by the mirror cone, where most of the light is.
+    const double other = k % 2 == 0 ? std::asin(2.0 * static_cast<double>(draw(generator)) - 1.0)
+                                    : std::clamp(-theta + 0.2 * (static_cast<double>(draw(generator)) - 0.5), -1.57, 1.57);
+    const glm::vec3 light = test::unit_vector<float>(other, 6.28 * static_cast<double>(draw(generator)));
+    const auto found = evaluate_chiang_bsdf(make_chiang_fibre(narrow), h, eye, light);
+    const auto expected =
+        evaluate_chiang_bsdf(make_chiang_fibre(wide), static_cast<double>(h), glm::dvec3(eye), glm::dvec3(light));
+    for (int c = 0; c < 3; ++c) {
+      if (expected.f[c] > 1e-6) {
+        worst = std::max(worst, std::abs(static_cast<double>(found.f[c]) / expected.f[c] - 1.0));
+      }
+    }
+    if (expected.density > 1e-6) {
+      worst = std::max(worst, std::abs(static_cast<double>(found.density) / expected.density - 1.0));
+    }
+  }
+  MESSAGE("largest relative difference ", worst);
+  CHECK(worst < 2e-5);
 }
