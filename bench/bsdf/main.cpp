@@ -4,11 +4,11 @@
 // Nanoseconds per evaluation, density, sample and construction of Chiang's model: the library's kernel, its form in
 // four lanes and its batches, against the plain implementation of plain_chiang.hpp in the same run. Options are those
 // of Google Benchmark; the runs are interleaved by default, and ratios to the plain form are printed at the end.
-#include <bsdf/configurations.hpp>
-#include <bsdf/plain_chiang.hpp>
 #include <pelage/bsdf/chiang_batch.hpp>
 #include <pelage/bsdf/chiang_quad.hpp>
 #include <pelage/bsdf/chiang_sampling.hpp>
+#include <bsdf/configurations.hpp>
+#include <bsdf/plain_chiang.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -26,7 +26,9 @@ using bench::configurations;
 using bench::plain_chiang;
 
 const configurations made_once(4096);
-const configurations& all() { return made_once; }
+const configurations& all() {
+  return made_once;
+}
 
 /// Runs `work(k)` for every configuration and takes the time of one.
 template <class Work>
@@ -38,9 +40,8 @@ void each(benchmark::State& state, Work work) {
     }
     benchmark::ClobberMemory();
   }
-  state.counters["each"] = benchmark::Counter(static_cast<double>(count),
-                                              benchmark::Counter::kIsIterationInvariantRate |
-                                                  benchmark::Counter::kInvert);
+  state.counters["each"] = benchmark::Counter(
+      static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 plain_chiang make_plain(std::size_t k) {
@@ -58,8 +59,12 @@ std::vector<Made> make_all(Make make) {
   return made;
 }
 
-chiang_fibre<float> make_fibre(std::size_t k) { return make_chiang_fibre(all().parameters[k]); }
-chiang_quad_fibre make_quad(std::size_t k) { return make_chiang_quad_fibre(make_fibre(k)); }
+chiang_fibre<float> make_fibre(std::size_t k) {
+  return make_chiang_fibre(all().parameters[k]);
+}
+chiang_quad_fibre make_quad(std::size_t k) {
+  return make_chiang_quad_fibre(make_fibre(k));
+}
 
 void construct_plain(benchmark::State& state) {
   each(state, [](std::size_t k) {
@@ -122,16 +127,24 @@ void sample_with(benchmark::State& state, const std::vector<Fibre>& made) {
   });
 }
 
-void evaluate_kernel(benchmark::State& state) { evaluate_with(state, make_all<chiang_fibre<float>>(make_fibre)); }
-void evaluate_quad(benchmark::State& state) { evaluate_with(state, make_all<chiang_quad_fibre>(make_quad)); }
+void evaluate_kernel(benchmark::State& state) {
+  evaluate_with(state, make_all<chiang_fibre<float>>(make_fibre));
+}
+void evaluate_quad(benchmark::State& state) {
+  evaluate_with(state, make_all<chiang_quad_fibre>(make_quad));
+}
 
 void density_plain(benchmark::State& state) {
   const auto made = make_all<plain_chiang>(make_plain);
   each(state, [&](std::size_t k) { benchmark::DoNotOptimize(made[k].pdf(all().eye[k], all().light[k])); });
 }
 
-void density_kernel(benchmark::State& state) { density_with(state, make_all<chiang_fibre<float>>(make_fibre)); }
-void density_quad(benchmark::State& state) { density_with(state, make_all<chiang_quad_fibre>(make_quad)); }
+void density_kernel(benchmark::State& state) {
+  density_with(state, make_all<chiang_fibre<float>>(make_fibre));
+}
+void density_quad(benchmark::State& state) {
+  density_with(state, make_all<chiang_quad_fibre>(make_quad));
+}
 
 void both_plain(benchmark::State& state) {
   const auto made = make_all<plain_chiang>(make_plain);
@@ -141,8 +154,12 @@ void both_plain(benchmark::State& state) {
   });
 }
 
-void both_kernel(benchmark::State& state) { both_with(state, make_all<chiang_fibre<float>>(make_fibre)); }
-void both_quad(benchmark::State& state) { both_with(state, make_all<chiang_quad_fibre>(make_quad)); }
+void both_kernel(benchmark::State& state) {
+  both_with(state, make_all<chiang_fibre<float>>(make_fibre));
+}
+void both_quad(benchmark::State& state) {
+  both_with(state, make_all<chiang_quad_fibre>(make_quad));
+}
 
 void sample_plain(benchmark::State& state) {
   const auto made = make_all<plain_chiang>(make_plain);
@@ -153,8 +170,12 @@ void sample_plain(benchmark::State& state) {
   });
 }
 
-void sample_kernel(benchmark::State& state) { sample_with(state, make_all<chiang_fibre<float>>(make_fibre)); }
-void sample_quad(benchmark::State& state) { sample_with(state, make_all<chiang_quad_fibre>(make_quad)); }
+void sample_kernel(benchmark::State& state) {
+  sample_with(state, make_all<chiang_fibre<float>>(make_fibre));
+}
+void sample_quad(benchmark::State& state) {
+  sample_with(state, make_all<chiang_quad_fibre>(make_quad));
+}
 
 /// The configurations as structure of arrays, with room for the results.
 struct columns {
@@ -176,9 +197,7 @@ struct columns {
   }
 
   chiang_batch batch() const { return {all().h, {eye[0], eye[1], eye[2]}, {light[0], light[1], light[2]}}; }
-  chiang_batch_parameters parameters() const {
-    return {eta, {sigma[0], sigma[1], sigma[2]}, beta_m, beta_n, tilt};
-  }
+  chiang_batch_parameters parameters() const { return {eta, {sigma[0], sigma[1], sigma[2]}, beta_m, beta_n, tilt}; }
   chiang_batch_result result() { return {{value[0], value[1], value[2]}, density}; }
 
   std::array<std::vector<float>, 3> sigma, eye, light, value;
@@ -192,9 +211,8 @@ void batch_with(benchmark::State& state, const Parameters& parameters, columns& 
     evaluate_chiang_batch(parameters, data.batch(), data.result());
     benchmark::ClobberMemory();
   }
-  state.counters["each"] = benchmark::Counter(static_cast<double>(all().size()),
-                                              benchmark::Counter::kIsIterationInvariantRate |
-                                                  benchmark::Counter::kInvert);
+  state.counters["each"] = benchmark::Counter(
+      static_cast<double>(all().size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void both_batch(benchmark::State& state) {

@@ -79,19 +79,22 @@ class lobe_model {
     std::vector<glm::dvec3> lobes;
     for (std::size_t p = 0; p < 3; ++p) {
       const std::array<double, 3>& n = result.azimuthal[p];
-      lobes.push_back(0.5 * std::cos(theta_r) * result.longitudinal[p] / (cosine * cosine) * glm::dvec3(n[0], n[1], n[2]));
+      lobes.push_back(0.5 * std::cos(theta_r) * result.longitudinal[p] / (cosine * cosine) *
+                      glm::dvec3(n[0], n[1], n[2]));
     }
     return lobes;
   }
 
-  /// The diffuse lobe of a mass's albedo, a white highlight of a twentieth and a coloured one of a quarter of the light.
+  /// The diffuse lobe of a mass's albedo, a white highlight of a twentieth and a coloured one of a quarter of the
+  /// light.
   [[nodiscard]] std::vector<glm::dvec3> kajiya_kay(double theta_r, double phi) const {
     glm::dvec3 colour;
     for (int c = 0; c < 3; ++c) {
       colour[c] = albedo_from_absorption(settings_.sigma_a[static_cast<std::size_t>(c)], settings_.beta_n);
     }
     const auto direction = [](double theta, double azimuth) {
-      return glm::vec3(glm::dvec3(std::sin(theta), std::cos(theta) * std::cos(azimuth), std::cos(theta) * std::sin(azimuth)));
+      return glm::vec3(
+          glm::dvec3(std::sin(theta), std::cos(theta) * std::cos(azimuth), std::cos(theta) * std::sin(azimuth)));
     };
     // An exponent whose lobe in θ has the width that β_m stands for, and half of it for the secondary's double width.
     const double variance = longitudinal_variance(settings_.beta_m);

@@ -180,13 +180,14 @@ std::string script(const lobe_settings& settings, const std::string& title, cons
       settings.theta_i * 180.0 / pi);
   text += curves("$along", model, false);
   text += polar_frame("N: round the fibre, radius √ (light from the right)") + curves("$round", model, true);
-  text += polar_frame("Cut along fibre and light, radius √ (tip up, light from the right)") +
-          "unset key\n" + curves("$cut", model, true);
+  text += polar_frame("Cut along fibre and light, radius √ (tip up, light from the right)") + "unset key\n" +
+          curves("$cut", model, true);
   text += fmt::format(
       "reset\nset title 'The sphere, in the colours that leave'\nset xrange [-180:180]\nset yrange [-90:90]\n"
       "set xtics 60\nset ytics 30\nset size ratio 0.5\nset xlabel 'azimuth φ (0: back to the light)'\n"
       "set ylabel 'inclination θ'\nunset key\n"
-      "plot $map using 1:2:3:4:5 with rgbimage, '+' using (0):({:.4g}) every 500 with points pt 2 ps 1.5 lc rgb 'white'\n"
+      "plot $map using 1:2:3:4:5 with rgbimage, '+' using (0):({:.4g}) every 500 with points pt 2 ps 1.5 lc rgb "
+      "'white'\n"
       "unset multiplot\n",
       settings.theta_i * 180.0 / pi);
   return text;

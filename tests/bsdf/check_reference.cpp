@@ -8,9 +8,9 @@
 // Prints, for each precision, the largest and the 99th-percentile relative error and the row of the largest. Exits
 // with 1 if double is above the tolerance anywhere, or float above the greater of it and 2e-5 on a value above 1e-6;
 // with 2 if the arguments or the file are wrong.
-#include <bsdf/csv_file.hpp>
 #include <pelage/bsdf/chiang_sampling.hpp>
 #include <pelage/bsdf/marschner.hpp>
+#include <bsdf/csv_file.hpp>
 
 #include <algorithm>
 #include <array>
@@ -97,7 +97,7 @@ std::array<Real, 7> marschner_columns(const csv_file& file, std::size_t row) {
   parameters.alpha = input("alpha_R");
   parameters.beta = input("beta_R");
   parameters.eccentricity = 1;
-  parameters.caustic.smooth = false;
+  parameters.caustic.smoothed = false;
   const auto result = evaluate_marschner(parameters, input("theta_i"), input("theta_r"), input("phi"), Real(0));
   return {result.longitudinal[0], result.longitudinal[1], result.longitudinal[2], result.azimuthal[0][0],
           result.azimuthal[1][0], result.azimuthal[2][0], result.scattering[0]};
@@ -198,8 +198,9 @@ int main(int count, char** words) {
     const bool chiang = asked->model == "chiang";
     bool good = true;
     if (asked->precision != "float") {
-      good = report("double", chiang ? compare_chiang<double>(file) : compare_marschner<double>(file),
-                    asked->tolerance) && good;
+      good =
+          report("double", chiang ? compare_chiang<double>(file) : compare_marschner<double>(file), asked->tolerance) &&
+          good;
     }
     if (asked->precision != "double") {
       const double tolerance = asked->precision == "both" ? std::max(asked->tolerance, 2e-5) : asked->tolerance;

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <bsdf/sphere.hpp>
 #include <pelage/bsdf/chiang_quad.hpp>
 #include <pelage/bsdf/chiang_sampling.hpp>
 #include <pelage/bsdf/fresnel.hpp>
+#include <bsdf/sphere.hpp>
 
 #include <property.hpp>
 
@@ -21,15 +21,16 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 
 chiang_fibre<float> clear_fibre(double beta_m, double beta_n, double tilt) {
-  return make_chiang_fibre<float>({1.55f, {0.0f, 0.0f, 0.0f}, static_cast<float>(beta_m), static_cast<float>(beta_n),
-                                   static_cast<float>(tilt)});
+  return make_chiang_fibre<float>(
+      {1.55f, {0.0f, 0.0f, 0.0f}, static_cast<float>(beta_m), static_cast<float>(beta_n), static_cast<float>(tilt)});
 }
 
 /// The light that leaves in all directions and the integral of the density, by way of the form in four lanes, which
 /// has the kernel's bits.
 std::array<double, 2> furnace(const chiang_fibre<float>& fibre, double h, double theta_o) {
   const chiang_quad_fibre quad = make_chiang_quad_fibre(fibre);
-  const auto view = view_chiang(quad, static_cast<float>(h), direction_by_fibre(test::unit_vector<float>(theta_o, 0.4)));
+  const auto view =
+      view_chiang(quad, static_cast<float>(h), direction_by_fibre(test::unit_vector<float>(theta_o, 0.4)));
   const int thetas = test::theta_panels_for(fibre);
   const int phis = test::phi_count_for(fibre);
   return {test::integrate_sphere<float>(
@@ -93,22 +94,22 @@ TEST_CASE("with absorption less light leaves, in each channel as if it were alon
 }
 
 TEST_CASE("energy never exceeds 1, whatever the fibre") {
-  test::holds("Σ A_p ≤ 1 for any index, absorption, offset and inclination",
-              [](std::uint16_t eta, std::uint16_t sigma, std::int16_t h, std::int16_t theta) {
-                const auto fibre =
-                    make_chiang_fibre<float>({1.0f + eta / 40000.0f, {sigma / 10000.0f, 0.0f, 100.0f}, 0.3f, 0.3f, 0.0f});
-                const auto view = view_chiang(fibre, h / 32767.0f,
-                                              direction_by_fibre(test::unit_vector<float>(theta / 32768.0 * 1.5707, 0)));
-                for (std::uint32_t c = 0; c < 3; ++c) {
-                  float sum = 0.0f;
-                  for (std::uint32_t p = 0; p < 4; ++p) {
-                    RC_ASSERT(view.attenuation[p][c] >= 0.0f);
-                    sum += view.attenuation[p][c];
-                  }
-                  RC_ASSERT(sum < 1.000002f);
-                  RC_ASSERT(c != 1 || sum > 0.999998f);  // σ_a = 0
-                }
-              });
+  test::holds("Σ A_p ≤ 1 for any index, absorption, offset and inclination", [](std::uint16_t eta, std::uint16_t sigma,
+                                                                                std::int16_t h, std::int16_t theta) {
+    const auto fibre =
+        make_chiang_fibre<float>({1.0f + eta / 40000.0f, {sigma / 10000.0f, 0.0f, 100.0f}, 0.3f, 0.3f, 0.0f});
+    const auto view =
+        view_chiang(fibre, h / 32767.0f, direction_by_fibre(test::unit_vector<float>(theta / 32768.0 * 1.5707, 0)));
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      float sum = 0.0f;
+      for (std::uint32_t p = 0; p < 4; ++p) {
+        RC_ASSERT(view.attenuation[p][c] >= 0.0f);
+        sum += view.attenuation[p][c];
+      }
+      RC_ASSERT(sum < 1.000002f);
+      RC_ASSERT(c != 1 || sum > 0.999998f);  // σ_a = 0
+    }
+  });
 }
 
 TEST_CASE("R is reciprocal without tilt: both directions at one inclination or swapped see one reflectance") {
@@ -119,7 +120,8 @@ TEST_CASE("R is reciprocal without tilt: both directions at one inclination or s
       const double h = 0.35;
       const glm::dvec3 one = test::unit_vector<double>(theta, 0.7);
       const glm::dvec3 other = test::unit_vector<double>(-theta, 0.7 + phi);
-      const auto forth = evaluate_chiang(fibre, view_chiang(fibre, h, direction_by_fibre(one)), direction_by_fibre(other));
+      const auto forth =
+          evaluate_chiang(fibre, view_chiang(fibre, h, direction_by_fibre(one)), direction_by_fibre(other));
       // Seen from the other side the mirror's normal is at the same place, on the other half of the width.
       const auto back =
           evaluate_chiang(fibre, view_chiang(fibre, -h, direction_by_fibre(other)), direction_by_fibre(one));
@@ -144,8 +146,8 @@ TEST_CASE("fibres turned end for end scatter alike with the tilt negated") {
   const auto with = make_chiang_fibre<double>({1.5, {0.1, 0.2, 0.3}, 0.3, 0.2, 0.05});
   const auto against = make_chiang_fibre<double>({1.5, {0.1, 0.2, 0.3}, 0.3, 0.2, -0.05});
   for (const double theta : {-1.2, -0.3, 0.0, 0.6, 1.5}) {
-    const auto one = evaluate_chiang_bsdf(with, 0.4, test::unit_vector<double>(theta, 0.3),
-                                          test::unit_vector<double>(0.2, 1.5));
+    const auto one =
+        evaluate_chiang_bsdf(with, 0.4, test::unit_vector<double>(theta, 0.3), test::unit_vector<double>(0.2, 1.5));
     const auto other = evaluate_chiang_bsdf(against, 0.4, test::unit_vector<double>(-theta, 0.3),
                                             test::unit_vector<double>(-0.2, 1.5));
     CHECK(one.f.x == doctest::Approx(other.f.x).epsilon(1e-12));
@@ -156,9 +158,10 @@ TEST_CASE("every unit vector, roughness and offset gives a finite result") {
   const std::array<float, 7> offsets = {-1.0f, -0.9999999f, 0.0f, 0.5f, 1.0f, 3.0f, -7.0f};
   const std::array<float, 5> roughnesses = {0.0f, 1e-6f, 0.03f, 0.5f, 1.0f};
   const std::array<float, 4> sigmas = {0.0f, 0.7f, 1e20f, std::numeric_limits<float>::infinity()};
-  const std::array<glm::vec3, 7> directions = {glm::vec3(1, 0, 0),       glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0),
-                                               glm::vec3(0, 0, -1),      glm::vec3(0.6f, 0.8f, 0.0f),
-                                               glm::vec3(0.99999994f, 0.0f, 3.4e-4f), glm::vec3(-0.6f, 0.0f, 0.8f)};
+  const std::array<glm::vec3, 7> directions = {glm::vec3(1, 0, 0),          glm::vec3(-1, 0, 0),
+                                               glm::vec3(0, 1, 0),          glm::vec3(0, 0, -1),
+                                               glm::vec3(0.6f, 0.8f, 0.0f), glm::vec3(0.99999994f, 0.0f, 3.4e-4f),
+                                               glm::vec3(-0.6f, 0.0f, 0.8f)};
   int finite = 0;
   int count = 0;
   for (const float h : offsets) {
@@ -216,14 +219,18 @@ TEST_CASE("float is within 2e-5 of double wherever f or the density exceeds 1e-6
                                        0.08f + 0.92f * draw(generator),
                                        0.08f + 0.92f * draw(generator),
                                        0.34f * draw(generator) - 0.17f};
-    const chiang_parameters<double> wide = {
-        narrow.eta, {narrow.sigma_a[0], narrow.sigma_a[1], narrow.sigma_a[2]}, narrow.beta_m, narrow.beta_n, narrow.tilt};
+    const chiang_parameters<double> wide = {narrow.eta,
+                                            {narrow.sigma_a[0], narrow.sigma_a[1], narrow.sigma_a[2]},
+                                            narrow.beta_m,
+                                            narrow.beta_n,
+                                            narrow.tilt};
     const float h = 2.0f * draw(generator) - 1.0f;
     const double theta = std::asin(2.0 * static_cast<double>(draw(generator)) - 1.0);
     const glm::vec3 eye = test::unit_vector<float>(theta, 6.28 * static_cast<double>(draw(generator)));
     // Half of the lights by the mirror cone, where most of the light is.
-    const double other = k % 2 == 0 ? std::asin(2.0 * static_cast<double>(draw(generator)) - 1.0)
-                                    : std::clamp(-theta + 0.2 * (static_cast<double>(draw(generator)) - 0.5), -1.57, 1.57);
+    const double other = k % 2 == 0
+                             ? std::asin(2.0 * static_cast<double>(draw(generator)) - 1.0)
+                             : std::clamp(-theta + 0.2 * (static_cast<double>(draw(generator)) - 0.5), -1.57, 1.57);
     const glm::vec3 light = test::unit_vector<float>(other, 6.28 * static_cast<double>(draw(generator)));
     const auto found = evaluate_chiang_bsdf(make_chiang_fibre(narrow), h, eye, light);
     const auto expected =

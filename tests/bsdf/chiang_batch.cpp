@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <bsdf/sphere.hpp>
 #include <pelage/bsdf/chiang_batch.hpp>
+#include <bsdf/sphere.hpp>
 
 #include <doctest/doctest.h>
 
@@ -50,9 +50,7 @@ struct elements {
     }
   }
 
-  [[nodiscard]] chiang_batch batch() const {
-    return {h, {eye[0], eye[1], eye[2]}, {light[0], light[1], light[2]}};
-  }
+  [[nodiscard]] chiang_batch batch() const { return {h, {eye[0], eye[1], eye[2]}, {light[0], light[1], light[2]}}; }
   [[nodiscard]] chiang_batch_parameters parameters() const {
     return {eta, {sigma[0], sigma[1], sigma[2]}, beta_m, beta_n, tilt};
   }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <bsdf/sphere.hpp>
 #include <pelage/bsdf/chiang_quad.hpp>
+#include <bsdf/sphere.hpp>
 
 #include <property.hpp>
 
@@ -11,11 +11,8 @@ TEST_CASE("four lanes give the kernel's bits") {
   test::holds("value and density are those of the kernel in float",
               [](std::int16_t h, std::int16_t theta_o, std::int16_t theta_i, std::int16_t phi, std::uint16_t rough,
                  std::uint16_t sigma, std::int8_t tilt) {
-                auto fibre = make_chiang_fibre<float>({1.55f,
-                                                       {sigma / 20000.0f, 0.0f, 1.0f},
-                                                       rough / 65535.0f,
-                                                       1.0f - rough / 65535.0f,
-                                                       tilt / 700.0f});
+                auto fibre = make_chiang_fibre<float>(
+                    {1.55f, {sigma / 20000.0f, 0.0f, 1.0f}, rough / 65535.0f, 1.0f - rough / 65535.0f, tilt / 700.0f});
                 fibre.tints = {1.0f, 0.5f, 0.25f, 0.9f};
                 const auto eye = direction_by_fibre(test::unit_vector<float>(theta_o / 32768.0 * 1.5707, 1.0));
                 const auto light = direction_by_fibre(test::unit_vector<float>(theta_i / 32768.0 * 1.5707, phi * 1e-4));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <bsdf/sphere.hpp>
 #include <pelage/bsdf/chiang_sampling.hpp>
+#include <bsdf/sphere.hpp>
 
 #include <property.hpp>
 
@@ -141,24 +141,24 @@ TEST_CASE("a clear fibre's samples all have weight 1") {
 }
 
 TEST_CASE("sampled directions are unit vectors, whatever the numbers, and carry what evaluation says of them") {
-  test::holds("unit length within 3e-7, density positive, value as evaluated",
-              [](std::uint16_t a, std::uint16_t b, std::uint16_t c, std::uint16_t d, std::int8_t h, std::int8_t theta,
-                 std::uint8_t rough) {
-                const float beta = static_cast<float>(rough) / 255.0f;
-                const auto fibre = make_chiang_fibre<float>({1.55f, {0.3f, 0.0f, 5.0f}, beta, 1.0f - beta, -0.1f});
-                const auto eye = test::unit_vector<float>(theta / 128.0 * 1.5707, 2.0);
-                const auto view = view_chiang(fibre, h / 127.0f, direction_by_fibre(eye));
-                const auto number = [](std::uint16_t x) { return static_cast<float>(x) / 65536.0f; };
-                const auto sample =
-                    sample_chiang(fibre, view, std::array<float, 4>{number(a), number(b), number(c), number(d)});
-                const glm::dvec3 w(sample.direction);
-                RC_ASSERT(std::abs(std::sqrt(w.x * w.x + w.y * w.y + w.z * w.z) - 1.0) < 3e-7);
-                const auto again = evaluate_chiang(fibre, view, direction_by_fibre(sample.direction));
-                RC_ASSERT(again.value == sample.result.value);
-                RC_ASSERT(again.density == sample.result.density);
-                RC_ASSERT(std::isfinite(sample.result.density));
-                RC_ASSERT(sample.lobe <= 3u);
-              });
+  test::holds("unit length within 3e-7, density positive, value as evaluated", [](std::uint16_t a, std::uint16_t b,
+                                                                                  std::uint16_t c, std::uint16_t d,
+                                                                                  std::int8_t h, std::int8_t theta,
+                                                                                  std::uint8_t rough) {
+    const float beta = static_cast<float>(rough) / 255.0f;
+    const auto fibre = make_chiang_fibre<float>({1.55f, {0.3f, 0.0f, 5.0f}, beta, 1.0f - beta, -0.1f});
+    const auto eye = test::unit_vector<float>(theta / 128.0 * 1.5707, 2.0);
+    const auto view = view_chiang(fibre, h / 127.0f, direction_by_fibre(eye));
+    const auto number = [](std::uint16_t x) { return static_cast<float>(x) / 65536.0f; };
+    const auto sample = sample_chiang(fibre, view, std::array<float, 4>{number(a), number(b), number(c), number(d)});
+    const glm::dvec3 w(sample.direction);
+    RC_ASSERT(std::abs(std::sqrt(w.x * w.x + w.y * w.y + w.z * w.z) - 1.0) < 3e-7);
+    const auto again = evaluate_chiang(fibre, view, direction_by_fibre(sample.direction));
+    RC_ASSERT(again.value == sample.result.value);
+    RC_ASSERT(again.density == sample.result.density);
+    RC_ASSERT(std::isfinite(sample.result.density));
+    RC_ASSERT(sample.lobe <= 3u);
+  });
 }
 
 TEST_CASE("the ends of the unit interval and directions along the fibre are drawn from like others") {

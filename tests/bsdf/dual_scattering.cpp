@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <bsdf/sphere.hpp>
 #include <pelage/bsdf/dual_scattering_table.hpp>
+#include <bsdf/sphere.hpp>
 
 #include <property.hpp>
 
@@ -74,8 +74,7 @@ TEST_CASE("Marschner's model, taken in shares, has averages like Chiang's") {
 
 TEST_CASE("the tilt shifts what turns back by its sign") {
   const auto shift = [](double tilt) {
-    const chiang_fibre_model<4, double> model = {
-        make_chiang_fibre<double>({1.55, {5.0, 5.0, 5.0}, 0.2, 0.3, tilt})};
+    const chiang_fibre_model<4, double> model = {make_chiang_fibre<double>({1.55, {5.0, 5.0, 5.0}, 0.2, 0.3, tilt})};
     return average_fibre(model, 0.0, 96u, 64u).backward_shift.x;
   };
   // Absorption leaves R, whose θ_i + θ_o is 2α: θ_h is α.
@@ -84,8 +83,8 @@ TEST_CASE("the tilt shifts what turns back by its sign") {
 }
 
 TEST_CASE("local scattering is the sum over one and three turns back") {
-  dual_averages<double> averages = {glm::dvec3(0.5), glm::dvec3(0.3), glm::dvec3(0.01), glm::dvec3(-0.02),
-                                    glm::dvec3(0.04), glm::dvec3(0.09)};
+  dual_averages<double> averages = {glm::dvec3(0.5),   glm::dvec3(0.3),  glm::dvec3(0.01),
+                                    glm::dvec3(-0.02), glm::dvec3(0.04), glm::dvec3(0.09)};
   const auto local = dual_local_scattering(averages, usual);
   // Σ over the numbers of forward scatterings before each turn: a_b Σ a_f^2i and a_b³ Σ i(i+1)/2 a_f^2i.
   double one = 0.0;
@@ -96,15 +95,15 @@ TEST_CASE("local scattering is the sum over one and three turns back") {
   }
   CHECK(local.albedo.x == doctest::Approx(one + three).epsilon(1e-12));
   const double lost = 0.75;
-  CHECK(local.shift.x == doctest::Approx(-0.02 * (1.0 - 0.18 / (lost * lost)) +
-                                         0.01 * (2.0 * lost * lost + 0.09) / (lost * lost * lost))
-                             .epsilon(1e-12));
+  CHECK(local.shift.x ==
+        doctest::Approx(-0.02 * (1.0 - 0.18 / (lost * lost)) + 0.01 * (2.0 * lost * lost + 0.09) / (lost * lost * lost))
+            .epsilon(1e-12));
   CHECK(local.variance.x > averages.backward_variance.x);
 }
 
 TEST_CASE("clear and black fibres have finite local scattering") {
-  dual_averages<double> clear = {glm::dvec3(1.0), glm::dvec3(0.0), glm::dvec3(0), glm::dvec3(0), glm::dvec3(0.04),
-                                 glm::dvec3(0.0)};
+  dual_averages<double> clear = {glm::dvec3(1.0), glm::dvec3(0.0),  glm::dvec3(0),
+                                 glm::dvec3(0),   glm::dvec3(0.04), glm::dvec3(0.0)};
   CHECK(std::isfinite(dual_local_scattering(clear, usual).albedo.x));
   CHECK(std::isfinite(dual_local_scattering(clear, usual).variance.x));
   dual_averages<double> black = {};
@@ -158,8 +157,8 @@ TEST_CASE("behind fibres, what is scattered has the energy of the averages") {
   const double energy = energy_of([&](double theta, double phi) {
     return dual_scattering(averages, local, global, usual, glm::dvec3(9.0), 0.0, theta, phi);
   });
-  const double expected = global.transmitted.y * (averages.forward.y + averages.backward.y +
-                                                  2.0 * usual.backward * local.albedo.y);
+  const double expected =
+      global.transmitted.y * (averages.forward.y + averages.backward.y + 2.0 * usual.backward * local.albedo.y);
   CHECK(energy == doctest::Approx(expected).epsilon(0.05));
 }
 
@@ -181,7 +180,8 @@ TEST_CASE("a table looks up what it was filled with, between its entries and at 
   fill_dual_scattering_table(hair_model(0.5), std::span(table), 48u, 32u);
   const std::span<const dual_averages<double>> view(table);
   const double step = pi / 16.0;
-  CHECK(look_up_dual_scattering(view, -pi / 2 + 2.5 * step).forward.y == doctest::Approx(table[2].forward.y).epsilon(1e-12));
+  CHECK(look_up_dual_scattering(view, -pi / 2 + 2.5 * step).forward.y ==
+        doctest::Approx(table[2].forward.y).epsilon(1e-12));
   CHECK(look_up_dual_scattering(view, -pi / 2 + 3.0 * step).backward.y ==
         doctest::Approx(0.5 * (table[2].backward.y + table[3].backward.y)).epsilon(1e-12));
   CHECK(look_up_dual_scattering(view, pi / 2).forward.x == table[15].forward.x);

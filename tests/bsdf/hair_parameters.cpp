@@ -45,7 +45,8 @@ double albedo_of_mass(double sigma_a, double beta_n, int photons) {
         break;
       }
       const glm::dvec3 x = random_direction();
-      const glm::dvec3 y = glm::normalize(glm::cross(x, std::abs(x.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+      const glm::dvec3 y =
+          glm::normalize(glm::cross(x, std::abs(x.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
       const glm::dvec3 z = glm::cross(x, y);
       const glm::dvec3 eye(glm::dot(-towards, x), glm::dot(-towards, y), glm::dot(-towards, z));
       const auto view = view_chiang(fibre, 2.0 * draw(generator) - 1.0, direction_by_fibre(eye));
@@ -118,11 +119,11 @@ TEST_CASE("a mass of fibres has about the albedo that its absorption was chosen 
 }
 
 TEST_CASE("roughness remaps have the printed values and grow with roughness") {
-  CHECK(longitudinal_variance(0.5) == doctest::Approx(std::pow(0.726 * 0.5 + 0.812 * 0.25 + 3.7 * std::pow(0.5, 20), 2))
-                                          .epsilon(1e-6));
-  CHECK(azimuthal_scale(0.5) == doctest::Approx(std::sqrt(std::numbers::pi / 8) *
-                                                (0.265 * 0.5 + 1.194 * 0.25 + 5.372 * std::pow(0.5, 22)))
-                                    .epsilon(1e-6));
+  CHECK(longitudinal_variance(0.5) ==
+        doctest::Approx(std::pow(0.726 * 0.5 + 0.812 * 0.25 + 3.7 * std::pow(0.5, 20), 2)).epsilon(1e-6));
+  CHECK(azimuthal_scale(0.5) ==
+        doctest::Approx(std::sqrt(std::numbers::pi / 8) * (0.265 * 0.5 + 1.194 * 0.25 + 5.372 * std::pow(0.5, 22)))
+            .epsilon(1e-6));
   CHECK(longitudinal_variance(0.0) == 0.0);
   CHECK(azimuthal_scale(0.0) == 0.0);
   for (int k = 0; k < 100; ++k) {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <bsdf/sphere.hpp>
 #include <pelage/bsdf/kajiya_kay_highlights.hpp>
+#include <bsdf/sphere.hpp>
 
 #include <property.hpp>
 

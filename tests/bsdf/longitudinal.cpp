@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <bsdf/sphere.hpp>
 #include <pelage/bsdf/hair_parameters.hpp>
 #include <pelage/bsdf/longitudinal.hpp>
+#include <bsdf/sphere.hpp>
 
 #include <property.hpp>
 
@@ -65,8 +65,8 @@ TEST_CASE("float's M is within 2e-5 at β_m 0.01, where logarithms that cancel l
       const float sin_o = std::sin(theta_o);
       const auto cosine = [](float s) { return std::sqrt((1.0f - s) * (1.0f + s)); };
       const float found = evaluate_longitudinal(make_longitudinal_lobe(v), sin_i, cosine(sin_i), sin_o, cosine(sin_o));
-      const long double expected = std::exp(log_m(std::asin(static_cast<long double>(sin_i)),
-                                                  std::asin(static_cast<long double>(sin_o)), v));
+      const long double expected =
+          std::exp(log_m(std::asin(static_cast<long double>(sin_i)), std::asin(static_cast<long double>(sin_o)), v));
       worst = std::max(worst, static_cast<double>(std::abs(found / expected - 1.0L)));
     }
   }

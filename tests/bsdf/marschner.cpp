@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <bsdf/sphere.hpp>
 #include <pelage/bsdf/marschner.hpp>
+#include <bsdf/sphere.hpp>
 
 #include <doctest/doctest.h>
 
@@ -43,7 +43,7 @@ double mean_attenuation(const fibre_section<double>& section, int path, double s
 
 marschner_parameters<double> bare_parameters(double sigma_a) {
   auto parameters = common_marschner_parameters<double>({sigma_a, sigma_a, sigma_a});
-  parameters.caustic.smooth = false;
+  parameters.caustic.smoothed = false;
   return parameters;
 }
 
@@ -78,10 +78,10 @@ TEST_CASE("the smooth caustic is finite, keeps about TRT's energy and leaves wha
   const double phi_c = 2.0 * find_caustic(section.excess).half_azimuth;
   double greatest = 0.0;
   const double smooth = 2.0 * test::integrate(0.0, pi, 400, [&](double phi) {
-    const double n = smooth_trt(section, phi, parameters.sigma_a, parameters.caustic)[0];
-    greatest = std::max(greatest, n);
-    return n;
-  });
+                          const double n = smooth_trt(section, phi, parameters.sigma_a, parameters.caustic)[0];
+                          greatest = std::max(greatest, n);
+                          return n;
+                        });
   CHECK(smooth == doctest::Approx(mean_attenuation(section, 2, 0.0)).epsilon(0.5));
   CHECK(greatest < 1.0);
   const double at = smooth_trt(section, phi_c, parameters.sigma_a, parameters.caustic)[0];
@@ -165,7 +165,7 @@ TEST_CASE("directions along the fibre, opposite azimuths and absolute absorption
   int finite = 0;
   int count = 0;
   for (const bool smooth : {false, true}) {
-    parameters.caustic.smooth = smooth;
+    parameters.caustic.smoothed = smooth;
     for (const float theta_i : {-1.5707964f, 0.0f, 1.5707964f}) {
       for (const float theta_r : {-1.5707964f, 0.3f, 1.5707964f}) {
         for (const float phi : {-3.1415927f, 0.0f, 0.3249f, 3.1415927f, 9.0f}) {

@@ -22,7 +22,9 @@ struct stored_table {
   marschner_table<float> table;
 };
 
-marschner_parameters<float> hair() { return common_marschner_parameters<float>({0.1f, 0.4f, 1.0f}); }
+marschner_parameters<float> hair() {
+  return common_marschner_parameters<float>({0.1f, 0.4f, 1.0f});
+}
 
 /// The largest difference of each lobe, in parts of its greatest value, for θ_d up to 1.2.
 std::array<float, 3> worst_errors(std::uint32_t thetas, std::uint32_t phis) {
@@ -36,9 +38,9 @@ std::array<float, 3> worst_errors(std::uint32_t thetas, std::uint32_t phis) {
     for (int k = 0; k < 700; ++k) {
       const float phi = 0.0044f * static_cast<float>(k);
       const auto found = look_up_marschner(stored.table, std::sin(theta), phi);
-      const std::array<float, 3> exact = {
-          bare_azimuthal(section, 0, phi, parameters.sigma_a)[0], bare_azimuthal(section, 1, phi, parameters.sigma_a)[0],
-          smooth_trt(section, phi, parameters.sigma_a, parameters.caustic)[0]};
+      const std::array<float, 3> exact = {bare_azimuthal(section, 0, phi, parameters.sigma_a)[0],
+                                          bare_azimuthal(section, 1, phi, parameters.sigma_a)[0],
+                                          smooth_trt(section, phi, parameters.sigma_a, parameters.caustic)[0]};
       const std::array<float, 3> looked_up = {found.reflected.x, found.transmitted.x, found.returned.x};
       for (std::size_t p = 0; p < 3; ++p) {
         worst[p] = std::max(worst[p], std::abs(exact[p] - looked_up[p]));

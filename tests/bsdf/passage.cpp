@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <bsdf/sphere.hpp>
 #include <pelage/bsdf/fresnel.hpp>
 #include <pelage/bsdf/passage.hpp>
+#include <bsdf/sphere.hpp>
 
 #include <doctest/doctest.h>
 

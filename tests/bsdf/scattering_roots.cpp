@@ -16,7 +16,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double excess_of(double eta) { return eta * eta - 1.0; }
+double excess_of(double eta) {
+  return eta * eta - 1.0;
+}
 
 /// φ(p, h) of the paper.
 double azimuth(int path, double h, double eta) {
@@ -163,6 +165,7 @@ TEST_CASE("angles beyond a turn are wrapped and NaN has no roots") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (int path = 0; path <= 2; ++path) {
     CHECK(find_scattering_roots(path, nan, excess_of(1.55)).count == 0u);
-    CHECK(find_scattering_roots(path, 0.1, excess_of(1.55)).count == find_scattering_roots(path, 0.1 + 2.0 * pi, excess_of(1.55)).count);
+    CHECK(find_scattering_roots(path, 0.1, excess_of(1.55)).count ==
+          find_scattering_roots(path, 0.1 + 2.0 * pi, excess_of(1.55)).count);
   }
 }

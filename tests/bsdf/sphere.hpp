@@ -58,7 +58,8 @@ int theta_panels_for(const chiang_fibre<Real>& fibre) {
 
 template <class Real>
 int phi_count_for(const chiang_fibre<Real>& fibre) {
-  return static_cast<int>(2.0 * std::numbers::pi / std::min(static_cast<double>(fibre.azimuthal.scale), 0.05) * 1.1) + 1;
+  return static_cast<int>(2.0 * std::numbers::pi / std::min(static_cast<double>(fibre.azimuthal.scale), 0.05) * 1.1) +
+         1;
 }
 
 }  // namespace pelage::test

@@ -53,7 +53,8 @@ TEST_CASE("selection takes each lane by its own condition") {
 TEST_CASE("square roots, whole parts and powers of two of lanes are those of floats") {
   CHECK(same_bits_at_every_width([](auto a, auto) { return square_root(a); }, 0.0f, 1e9f));
   CHECK(same_bits_at_every_width([](auto a, auto) { return whole_part(a); }, -1e6f, 1e6f));
-  CHECK(same_bits_at_every_width([](auto a, auto) { return split_exponent(a).power + split_exponent(a).whole; }, 0.0f, 255.9f));
+  CHECK(same_bits_at_every_width([](auto a, auto) { return split_exponent(a).power + split_exponent(a).whole; }, 0.0f,
+                                 255.9f));
 }
 
 TEST_CASE("the elementary functions of lanes are those of floats, bit for bit") {

@@ -22,7 +22,8 @@ template <real_number Real>
 
 /// N(x) per radian at a distance x in [0, π] from the middle. Relative error below 4e-7 (1 + x/s) in float.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline Real evaluate_azimuthal(const azimuthal_lobe<Real>& lobe, Real distance) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real evaluate_azimuthal(const azimuthal_lobe<Real>& lobe,
+                                                                 Real distance) noexcept;
 
 /// Draws a signed distance from the middle, [-π, π], with density N from a number in [0, 1).
 template <std::floating_point Real>

@@ -36,21 +36,21 @@ template <real_number Real>
 struct chiang_fibre {
   Real eta;
   std::array<Real, 3> sigma_a;
-  std::array<Real, 4> tints;                         ///< R, TT, TRT, residual: what multiplies each, 1 by default
+  std::array<Real, 4> tints;                            ///< R, TT, TRT, residual: what multiplies each, 1 by default
   std::array<longitudinal_lobe<Real>, 4> longitudinal;  ///< M of each lobe
-  azimuthal_lobe<Real> azimuthal;                    ///< N of R, TT and TRT; the residual's is uniform
-  std::array<rotation<Real>, 3> tilts;               ///< by which θ_o is turned for R, TT, TRT: -2α, α, 4α
+  azimuthal_lobe<Real> azimuthal;                       ///< N of R, TT and TRT; the residual's is uniform
+  std::array<rotation<Real>, 3> tilts;                  ///< by which θ_o is turned for R, TT, TRT: -2α, α, 4α
 };
 
 /// A fibre as one eye sees it at one point of its width.
 template <real_number Real>
 struct chiang_view {
   fibre_direction<Real> eye;
-  std::array<rotation<Real>, 3> tilted;           ///< cos, sin of the tilted θ_o, the cosine by absolute value
-  std::array<Real, 3> flipped;                    ///< 1 where that took the sign from the cosine, else 0
-  std::array<rotation<Real>, 3> towards;          ///< the middle of each lobe round the fibre, any length
-  std::array<std::array<Real, 3>, 4> attenuation; ///< A_p for red, green, blue; R, TT, TRT, residual
-  std::array<Real, 4> weights;                    ///< probabilities of the lobes: means of A_p over their sum, or 0
+  std::array<rotation<Real>, 3> tilted;            ///< cos, sin of the tilted θ_o, the cosine by absolute value
+  std::array<Real, 3> flipped;                     ///< 1 where that took the sign from the cosine, else 0
+  std::array<rotation<Real>, 3> towards;           ///< the middle of each lobe round the fibre, any length
+  std::array<std::array<Real, 3>, 4> attenuation;  ///< A_p for red, green, blue; R, TT, TRT, residual
+  std::array<Real, 4> weights;                     ///< probabilities of the lobes: means of A_p over their sum, or 0
 };
 
 /// Light scattered from one direction to the eye.
@@ -67,24 +67,24 @@ template <real_number Real>
 /// Makes a view of it.
 template <real_number Real>
 [[nodiscard]] inline chiang_view<Real> view_chiang(const chiang_fibre<Real>& fibre, Real h,
-                                            const fibre_direction<Real>& eye) noexcept;
+                                                   const fibre_direction<Real>& eye) noexcept;
 
 /// The whole model at one pair of directions. Finite for every unit vector, grazing ones and those along the fibre
 /// included. Float stays within 2e-5 of double where β_m and β_n are at least 0.08 and values above 1e-6,
 /// 4e-5 from 0.05 on; 99 values in 100 are within 3e-6.
 template <real_number Real>
 [[nodiscard]] inline chiang_result<Real> evaluate_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
-                                                  const fibre_direction<Real>& light) noexcept;
+                                                         const fibre_direction<Real>& light) noexcept;
 
 /// M_p N_p of the four lobes for one light, without attenuations: what evaluation and density share.
 template <real_number Real>
 [[nodiscard]] inline std::array<Real, 4> chiang_lobes(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
-                                               const fibre_direction<Real>& light) noexcept;
+                                                      const fibre_direction<Real>& light) noexcept;
 
 /// The density alone, per steradian.
 template <real_number Real>
 [[nodiscard]] inline Real chiang_density(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
-                                  const fibre_direction<Real>& light) noexcept;
+                                         const fibre_direction<Real>& light) noexcept;
 
 /// What the steps of the model hand on. Each is a function of its own so that a CPU may run it on packs: over lobes or
 /// channels (chiang_quad.hpp) as over fibres (chiang_batch.hpp).
@@ -98,22 +98,25 @@ struct chiang_section {
 
 /// Refraction in the fibre's section at an offset h.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o, Real cos_o) noexcept;
+[[nodiscard, gnu::always_inline]] inline chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o,
+                                                                                   Real cos_o) noexcept;
 
 /// A_0 to A_3 for one σ_a. [Chiang 2016 Eq. 6; d'Eon 2011 §3.2]
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline std::array<Real, 4> chiang_attenuation(const chiang_section<Real>& section, Real sigma_a) noexcept;
+[[nodiscard, gnu::always_inline]] inline std::array<Real, 4> chiang_attenuation(const chiang_section<Real>& section,
+                                                                                Real sigma_a) noexcept;
 
 /// M of one lobe: `sum` holds cos and sin of θ_i + θ_o before the lobe's tilt.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline Real chiang_along(const longitudinal_lobe<Real>& lobe, const rotation<Real>& sum,
-                                const rotation<Real>& tilt, const rotation<Real>& tilted, Real flipped, Real sin_i,
-                                Real cos_i) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real chiang_along(const longitudinal_lobe<Real>& lobe,
+                                                           const rotation<Real>& sum, const rotation<Real>& tilt,
+                                                           const rotation<Real>& tilted, Real flipped, Real sin_i,
+                                                           Real cos_i) noexcept;
 
 /// N of one lobe round its middle.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline Real chiang_round(const azimuthal_lobe<Real>& lobe, const rotation<Real>& middle, Real y,
-                                Real z) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real chiang_round(const azimuthal_lobe<Real>& lobe,
+                                                           const rotation<Real>& middle, Real y, Real z) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -132,8 +135,9 @@ chiang_fibre<Real> make_chiang_fibre(const chiang_parameters<Real>& parameters) 
   fibre.longitudinal[3] = fibre.longitudinal[2];
   fibre.azimuthal = make_azimuthal_lobe(azimuthal_scale(parameters.beta_n));
   const rotation<Real> once = rotation_by(parameters.tilt);
-  const rotation<Real> twice = once * once;
-  fibre.tilts = std::array<rotation<Real>, 3>{rotation<Real>{twice.cosine, Real(0) - twice.sine}, once, twice * twice};
+  const rotation<Real> twice = turned_by(once, once);
+  fibre.tilts =
+      std::array<rotation<Real>, 3>{rotation<Real>{twice.cosine, Real(0) - twice.sine}, once, turned_by(twice, twice)};
   return fibre;
 }
 
@@ -142,14 +146,14 @@ chiang_view<Real> view_chiang(const chiang_fibre<Real>& fibre, Real h, const fib
   chiang_view<Real> view;
   view.eye = eye;
   for (std::uint32_t p = 0u; p < 3u; ++p) {
-    const rotation<Real> turned = rotation<Real>{eye.cosine, eye.sine} * fibre.tilts[p];
+    const rotation<Real> turned = turned_by(rotation<Real>{eye.cosine, eye.sine}, fibre.tilts[p]);
     view.flipped[p] = select(turned.cosine < Real(0), Real(1), Real(0));
     view.tilted[p] = rotation<Real>{absolute(turned.cosine), turned.sine};
   }
   const chiang_section<Real> section = cross_chiang_section(fibre.eta, h, eye.sine, eye.cosine);
-  view.towards[0] = rotation<Real>{eye.y, eye.z} / section.entry;
-  view.towards[1] = view.towards[0] * section.crossing;
-  view.towards[2] = view.towards[1] * section.crossing;
+  view.towards[0] = turned_back(rotation<Real>{eye.y, eye.z}, section.entry);
+  view.towards[1] = turned_by(view.towards[0], section.crossing);
+  view.towards[2] = turned_by(view.towards[1], section.crossing);
 
   std::array<Real, 4> sums = {Real(0), Real(0), Real(0), Real(0)};
   for (std::uint32_t c = 0u; c < 3u; ++c) {
@@ -242,17 +246,16 @@ Real chiang_along(const longitudinal_lobe<Real>& lobe, const rotation<Real>& sum
                   const rotation<Real>& tilted, Real flipped, Real sin_i, Real cos_i) noexcept {
   // The tilt turns the sum of the inclinations, but where the tilted cosine has lost its sign.
   const Real product = cos_i * tilted.cosine;
-  const rotation<Real> turned = sum * tilt;
-  const rotation<Real> between = {
-      select(flipped > Real(0), product - sin_i * tilted.sine, turned.cosine),
-      select(flipped > Real(0), sin_i * tilted.cosine + cos_i * tilted.sine, turned.sine)};
+  const rotation<Real> turned = turned_by(sum, tilt);
+  const rotation<Real> between = {select(flipped > Real(0), product - sin_i * tilted.sine, turned.cosine),
+                                  select(flipped > Real(0), sin_i * tilted.cosine + cos_i * tilted.sine, turned.sine)};
   return evaluate_longitudinal(lobe, inclination_pair<Real>{versine(between), product});
 }
 
 template <real_number Real>
 Real chiang_round(const azimuthal_lobe<Real>& lobe, const rotation<Real>& middle, Real y, Real z) noexcept {
-  return evaluate_azimuthal(lobe, unsigned_angle(middle.cosine * z - middle.sine * y,
-                                                 middle.cosine * y + middle.sine * z));
+  return evaluate_azimuthal(lobe,
+                            unsigned_angle(middle.cosine * z - middle.sine * y, middle.cosine * y + middle.sine * z));
 }
 
 }  // namespace pelage

@@ -89,8 +89,8 @@ template <int W>
     wide.tints[p] = pack(fibre.tints[p]);
     wide.longitudinal[p] = longitudinal_lobe<pack>{pack(lobe.variance), pack(lobe.concentration), pack(lobe.height)};
   }
-  wide.azimuthal = azimuthal_lobe<pack>{pack(fibre.azimuthal.scale), pack(fibre.azimuthal.steepness),
-                                       pack(fibre.azimuthal.height)};
+  wide.azimuthal =
+      azimuthal_lobe<pack>{pack(fibre.azimuthal.scale), pack(fibre.azimuthal.steepness), pack(fibre.azimuthal.height)};
   return wide;
 }
 
@@ -100,12 +100,10 @@ void evaluate_chiang_lanes(const chiang_fibre<lanes<W>>& fibre, const chiang_bat
                            const chiang_batch_result& result, std::size_t at) noexcept {
   using pack = lanes<W>;
   const pack h = load_lanes<W>(batch.h, at);
-  const fibre_direction<pack> eye =
-      direction_by_fibre(load_lanes<W>(batch.eye[0], at), load_lanes<W>(batch.eye[1], at),
-                         load_lanes<W>(batch.eye[2], at));
-  const fibre_direction<pack> light =
-      direction_by_fibre(load_lanes<W>(batch.light[0], at), load_lanes<W>(batch.light[1], at),
-                         load_lanes<W>(batch.light[2], at));
+  const fibre_direction<pack> eye = direction_by_fibre(load_lanes<W>(batch.eye[0], at), load_lanes<W>(batch.eye[1], at),
+                                                       load_lanes<W>(batch.eye[2], at));
+  const fibre_direction<pack> light = direction_by_fibre(
+      load_lanes<W>(batch.light[0], at), load_lanes<W>(batch.light[1], at), load_lanes<W>(batch.light[2], at));
   const chiang_result<pack> found = evaluate_chiang(fibre, view_chiang(fibre, h, eye), light);
   for (std::uint32_t c = 0u; c < 3u; ++c) {
     store_lanes<W>(found.value[c], result.value[c], at);

@@ -40,8 +40,8 @@ width_node<Real> fibre_width_node(int node) noexcept {
   const Real panel = Real(3.141592653589793238) / Real(Panels);
   const int whole = node / 3;
   const int place = node - 3 * whole - 1;
-  const Real gamma = panel * (Real(whole) + Real(0.5) + Real(place) * Real(0.387298334620741688)) -
-                     Real(1.57079632679489662);
+  const Real gamma =
+      panel * (Real(whole) + Real(0.5) + Real(place) * Real(0.387298334620741688)) - Real(1.57079632679489662);
   const rotation<Real> offset = rotation_by(gamma);
   const Real gauss = place == 0 ? Real(0.444444444444444444) : Real(0.277777777777777778);
   return width_node<Real>{offset.sine, Real(0.5) * panel * gauss * offset.cosine};

@@ -68,21 +68,21 @@ chiang_bsdf<Real> evaluate_chiang_bsdf(const chiang_fibre<Real>& fibre, Real h, 
 template <std::floating_point Real>
 chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                   const std::array<Real, 4>& u) noexcept {
-  chiang_sample<Real> sample;
-  sample.lobe = pick_chiang_lobe(view.weights, u[0]);
+  chiang_sample<Real> drawn;
+  drawn.lobe = pick_chiang_lobe(view.weights, u[0]);
   longitudinal_lobe<Real> along = fibre.longitudinal[3];
   rotation<Real> tilted = rotation<Real>{view.eye.cosine, view.eye.sine};
   rotation<Real> middle = rotation<Real>{view.eye.y, view.eye.z};
   for (std::uint32_t p = 0u; p < 3u; ++p) {
-    if (p == sample.lobe) {
+    if (p == drawn.lobe) {
       along = fibre.longitudinal[p];
       tilted = view.tilted[p];
       middle = view.towards[p];
     }
   }
-  sample.direction = draw_chiang_direction(along, fibre.azimuthal, tilted, middle, sample.lobe == 3u, u);
-  sample.result = evaluate_chiang(fibre, view, direction_by_fibre(sample.direction));
-  return sample;
+  drawn.direction = draw_chiang_direction(along, fibre.azimuthal, tilted, middle, drawn.lobe == 3u, u);
+  drawn.result = evaluate_chiang(fibre, view, direction_by_fibre(drawn.direction));
+  return drawn;
 }
 
 template <std::floating_point Real>
@@ -100,9 +100,8 @@ glm::vec<3, Real> draw_chiang_direction(const longitudinal_lobe<Real>& along, co
                                         const std::array<Real, 4>& u) noexcept {
   const Real distance = residual ? Real(6.283185307179586477) * u[3] : sample_azimuthal(round, u[3]);
   const rotation<Real> inclination = sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
-  const rotation<Real> azimuth = middle * rotation_by(distance);
-  const Real across =
-      inclination.cosine / square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
+  const rotation<Real> azimuth = turned_by(middle, rotation_by(distance));
+  const Real across = inclination.cosine / square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
   return glm::vec<3, Real>(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
 }
 

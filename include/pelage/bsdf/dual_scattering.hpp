@@ -25,10 +25,10 @@ namespace pelage {
 /// What a fibre does on average to light of one inclination; colours are per channel.
 template <std::floating_point Real>
 struct dual_averages {
-  glm::vec<3, Real> forward;        ///< ā_f: the share that goes on, [0, 1)
-  glm::vec<3, Real> backward;       ///< ā_b: the share that turns back, [0, 1)
-  glm::vec<3, Real> forward_shift;  ///< ᾱ_f: mean of θ_h = (θ_i + θ_r)/2 of what goes on, radians
-  glm::vec<3, Real> backward_shift; ///< ᾱ_b
+  glm::vec<3, Real> forward;            ///< ā_f: the share that goes on, [0, 1)
+  glm::vec<3, Real> backward;           ///< ā_b: the share that turns back, [0, 1)
+  glm::vec<3, Real> forward_shift;      ///< ᾱ_f: mean of θ_h = (θ_i + θ_r)/2 of what goes on, radians
+  glm::vec<3, Real> backward_shift;     ///< ᾱ_b
   glm::vec<3, Real> forward_variance;   ///< β̄_f²: variance of θ_h of what goes on
   glm::vec<3, Real> backward_variance;  ///< β̄_b²
 };
@@ -51,9 +51,9 @@ struct dual_local {
 /// Light forward through the hair in front of a fibre.
 template <std::floating_point Real>
 struct dual_global {
-  Real direct;                     ///< the share of the light that meets no fibre on its way, [0, 1]
-  glm::vec<3, Real> transmitted;   ///< what arrives after fibres, direct light not counted, [0, 1]
-  glm::vec<3, Real> variance;      ///< σ̄_f² that they have added, in θ_h
+  Real direct;                    ///< the share of the light that meets no fibre on its way, [0, 1]
+  glm::vec<3, Real> transmitted;  ///< what arrives after fibres, direct light not counted, [0, 1]
+  glm::vec<3, Real> variance;     ///< σ̄_f² that they have added, in θ_h
 };
 
 /// Local multiple scattering of a fibre with such averages. ā_f is held to 0.99: at 1 light would never be lost
@@ -117,11 +117,10 @@ dual_local<Real> dual_local_scattering(const dual_averages<Real>& averages,
                      averages.forward_shift[c] * (Real(2) * lost2 + Real(4) * f2 * b2) / (lost * lost2);
     const Real beta_f2 = averages.forward_variance[c];
     const Real beta_b2 = averages.backward_variance[c];
-    const Real spread = b * std::sqrt(Real(2) * beta_f2 + beta_b2) +
-                        b * b2 * std::sqrt(Real(2) * beta_f2 + Real(3) * beta_b2);
+    const Real spread =
+        b * std::sqrt(Real(2) * beta_f2 + beta_b2) + b * b2 * std::sqrt(Real(2) * beta_f2 + Real(3) * beta_b2);
     const Real weight = b + b * b2 * (Real(2) * std::sqrt(beta_f2) + Real(3) * std::sqrt(beta_b2));
-    const Real deviation =
-        b > Real(0) ? (Real(1) + density.backward * f2) * spread / weight : std::sqrt(beta_b2);
+    const Real deviation = b > Real(0) ? (Real(1) + density.backward * f2) * spread / weight : std::sqrt(beta_b2);
     local.variance[c] = deviation * deviation;
   }
   return local;
@@ -176,14 +175,12 @@ glm::vec<3, Real> dual_scattering(const dual_averages<Real>& averages, const dua
   for (int c = 0; c < 3; ++c) {
     const Real sigma2 = global.variance[c];
     const Real from_behind = Real(2) * density.backward * local.albedo[c];
-    const Real direct =
-        single[c] + from_behind * dual_lobe(theta_h - local.shift[c], local.variance[c], cosine, back);
-    const Real scattered =
-        averages.forward[c] *
-            dual_lobe(theta_h - averages.forward_shift[c], averages.forward_variance[c] + sigma2, cosine, onward) +
-        averages.backward[c] *
-            dual_lobe(theta_h - averages.backward_shift[c], averages.backward_variance[c] + sigma2, cosine, back) +
-        from_behind * dual_lobe(theta_h - local.shift[c], local.variance[c] + sigma2, cosine, back);
+    const Real direct = single[c] + from_behind * dual_lobe(theta_h - local.shift[c], local.variance[c], cosine, back);
+    const Real scattered = averages.forward[c] * dual_lobe(theta_h - averages.forward_shift[c],
+                                                           averages.forward_variance[c] + sigma2, cosine, onward) +
+                           averages.backward[c] * dual_lobe(theta_h - averages.backward_shift[c],
+                                                            averages.backward_variance[c] + sigma2, cosine, back) +
+                           from_behind * dual_lobe(theta_h - local.shift[c], local.variance[c] + sigma2, cosine, back);
     sum[c] = global.direct * direct + global.transmitted[c] * scattered;
   }
   return sum;

@@ -23,7 +23,8 @@ enum class hair_colour { blond, red, brown, black };
 template <std::floating_point Real>
 [[nodiscard]] melanin<Real> melanin_of(hair_colour colour) noexcept;
 
-/// σ_a for red, green, blue per fibre radius, linear in both concentrations. [d'Eon 2011 §6.1; constants of Chiang 2016]
+/// σ_a for red, green, blue per fibre radius, linear in both concentrations. [d'Eon 2011 §6.1; constants of Chiang
+/// 2016]
 template <real_number Real>
 [[nodiscard]] std::array<Real, 3> absorption_of(melanin<Real> pigment) noexcept;
 

@@ -24,8 +24,9 @@ template <real_number Real>
 /// `cos_outside`, `cos_inside`: cosines of incidence and of refraction by η′ in the section, [0, 1].
 /// `cos_outside` = 0 gives (1, 0).
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline interface_shares<Real> bravais_interface(Real cos_outside, Real cos_inside, Real eta_perpendicular,
-                                                       Real eta_parallel) noexcept;
+[[nodiscard, gnu::always_inline]] inline interface_shares<Real> bravais_interface(Real cos_outside, Real cos_inside,
+                                                                                  Real eta_perpendicular,
+                                                                                  Real eta_parallel) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 

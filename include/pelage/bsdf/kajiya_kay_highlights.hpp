@@ -21,8 +21,8 @@ struct double_highlight {
 
 /// What shapes one of them.
 struct highlight_shape {
-  float exponent;   ///< p of cosᵖ, [0, inf)
-  float shift;      ///< radians by which the cone turns towards the tip (+) or the root (-), (-π/2, π/2)
+  float exponent;  ///< p of cosᵖ, [0, inf)
+  float shift;     ///< radians by which the cone turns towards the tip (+) or the root (-), (-π/2, π/2)
 };
 
 /// The diffuse reflectance of a fibre whose albedo is `kd`: kd/π², to be multiplied by sin(t, l) as the lobe of
@@ -50,7 +50,7 @@ constexpr float normalised_fibre_diffuse(float kd) noexcept {
 
 /// cosᵖ of the sum of two inclinations less the shift.
 [[nodiscard]] inline float shifted_lobe(const rotation<float>& sum, const highlight_shape& shape) noexcept {
-  const float cosine = saturate((sum / rotation_by(shape.shift)).cosine);
+  const float cosine = saturate(turned_back(sum, rotation_by(shape.shift)).cosine);
   return cosine > 0.0f ? power_of_cosine(cosine, shape.exponent) : 0.0f;
 }
 
@@ -60,7 +60,8 @@ inline double_highlight kajiya_kay_double(const glm::vec3& tangent, const glm::v
   const float along_eye = glm::dot(tangent, to_eye);
   const float across_light = safe_sqrt(1.0f - along_light * along_light);
   const float across_eye = safe_sqrt(1.0f - along_eye * along_eye);
-  const rotation<float> sum = rotation<float>{across_light, along_light} * rotation<float>{across_eye, along_eye};
+  const rotation<float> sum =
+      turned_by(rotation<float>{across_light, along_light}, rotation<float>{across_eye, along_eye});
   return double_highlight{shifted_lobe(sum, primary), shifted_lobe(sum, secondary)};
 }
 

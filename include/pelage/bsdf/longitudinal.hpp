@@ -45,12 +45,13 @@ struct inclination_pair {
   Real cosine_product;  ///< cos θ_i cos θ_o, [0, 1]
 };
 
-/// M(θ_i, θ_o) = e^(-sin θ_i sin θ_o / v) I₀(cos θ_i cos θ_o / v) / (2 v sinh(1/v)); its integral over θ_i weighted with
-/// cos θ_i is 1 whatever θ_o and v are.
+/// M(θ_i, θ_o) = e^(-sin θ_i sin θ_o / v) I₀(cos θ_i cos θ_o / v) / (2 v sinh(1/v)); its integral over θ_i weighted
+/// with cos θ_i is 1 whatever θ_o and v are.
 ///
 /// The exponent is formed as gap/v, where nothing cancels: relative error below 1e-6 · (1 + gap/v) in float.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe, inclination_pair<Real> pair) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe,
+                                                                    inclination_pair<Real> pair) noexcept;
 
 /// The sine of the sum of two inclinations, which keeps its digits where they nearly cancel: precise for exact sines.
 template <real_number Real>
@@ -62,14 +63,14 @@ template <real_number Real>
 
 /// M of two inclinations given by sine and cosine.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin_i, Real cos_i, Real sin_o,
-                                         Real cos_o) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin_i,
+                                                                    Real cos_i, Real sin_o, Real cos_o) noexcept;
 
 /// Draws θ_i with density M(θ_i, θ_o) cos θ_i from two numbers in [0, 1). Its sine and cosine come from a unit vector,
 /// so that the cosine is precise near the fibre's axis too. [d'Eon 2013; Jakob 2012]
 template <std::floating_point Real>
-[[nodiscard]] inline rotation<Real> sample_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin_o, Real cos_o, Real u,
-                                                 Real turn) noexcept;
+[[nodiscard]] inline rotation<Real> sample_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin_o, Real cos_o,
+                                                        Real u, Real turn) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 

@@ -19,7 +19,7 @@ namespace pelage {
 /// How TRT's caustic is treated: the bare sum over roots is infinite there.
 template <std::floating_point Real>
 struct caustic_treatment {
-  bool smooth;     ///< false leaves the bare sum, held to |dφ/dγ| ≥ 2e-6; the rest is then unused
+  bool smoothed;   ///< false leaves the bare sum, held to |dφ/dγ| ≥ 2e-6; the rest is then unused
   Real width;      ///< w_c, standard deviation of what replaces it, (0, inf); paper 0.17 to 0.44
   Real limit;      ///< Δh_M, greatest share of the width that goes there, [0, 2]; paper 0.5
   Real intensity;  ///< k_G, [0, inf); 1 keeps about the energy taken, paper 0.5 to 5
@@ -98,8 +98,8 @@ template <std::floating_point Real>
 
 template <std::floating_point Real>
 marschner_parameters<Real> common_marschner_parameters(const std::array<Real, 3>& sigma_a) noexcept {
-  return marschner_parameters<Real>{
-      Real(1.55), sigma_a, Real(-0.12), Real(0.13), Real(1), {true, Real(0.26), Real(0.5), Real(1), Real(0.3)}};
+  return marschner_parameters<Real>{Real(1.55), sigma_a, Real(-0.12),
+                                    Real(0.13), Real(1), {true, Real(0.26), Real(0.5), Real(1), Real(0.3)}};
 }
 
 template <std::floating_point Real>
@@ -195,7 +195,7 @@ marschner_result<Real> evaluate_marschner(const marschner_parameters<Real>& para
   result.azimuthal[1] = bare_azimuthal(section, 1, phi, parameters.sigma_a);
   const Real bent = greatest(eccentric_index(parameters.eta, parameters.eccentricity, phi_h), Real(1));
   const fibre_section<Real> bent_section = make_fibre_section(bent, theta_d);
-  if (parameters.caustic.smooth) {
+  if (parameters.caustic.smoothed) {
     result.azimuthal[2] = smooth_trt(bent_section, phi, parameters.sigma_a, parameters.caustic);
   } else {
     result.azimuthal[2] = bare_azimuthal(bent_section, 2, phi, parameters.sigma_a);

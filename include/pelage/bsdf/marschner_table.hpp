@@ -26,11 +26,11 @@ namespace pelage {
 /// R's at π, where they fall linearly. 36 bytes per entry in float, 576 KiB at that size. Round fibres only.
 template <std::floating_point Real>
 struct marschner_table {
-  std::uint32_t theta_count;  ///< [2, 4096]
-  std::uint32_t phi_count;    ///< [2, 4096]
-  std::span<glm::vec<3, Real>> reflected;     ///< N_R, rows of phi_count; theta_count phi_count in all
-  std::span<glm::vec<3, Real>> transmitted;   ///< N_TT
-  std::span<glm::vec<3, Real>> returned;      ///< N_TRT
+  std::uint32_t theta_count;                 ///< [2, 4096]
+  std::uint32_t phi_count;                   ///< [2, 4096]
+  std::span<glm::vec<3, Real>> reflected;    ///< N_R, rows of phi_count; theta_count phi_count in all
+  std::span<glm::vec<3, Real>> transmitted;  ///< N_TT
+  std::span<glm::vec<3, Real>> returned;     ///< N_TRT
 };
 
 /// The three lobes looked up.
@@ -70,7 +70,7 @@ void fill_marschner_table(const marschner_parameters<Real>& parameters, const ma
       const Real phi = Real(3.141592653589793238) * static_cast<Real>(k) / static_cast<Real>(table.phi_count - 1u);
       const std::array<Real, 3> r = bare_azimuthal(section, 0, phi, parameters.sigma_a);
       const std::array<Real, 3> tt = bare_azimuthal(section, 1, phi, parameters.sigma_a);
-      const std::array<Real, 3> trt = parameters.caustic.smooth
+      const std::array<Real, 3> trt = parameters.caustic.smoothed
                                           ? smooth_trt(section, phi, parameters.sigma_a, parameters.caustic)
                                           : bare_azimuthal(section, 2, phi, parameters.sigma_a);
       const std::size_t at = std::size_t{i} * table.phi_count + k;

@@ -42,8 +42,8 @@ struct caustic_point {
 };
 
 /// The roots of path p: 0 is R, 1 TT, 2 TRT. `phi`: azimuth in radians, any; `excess`: η′² - 1 = (η² - 1)/cos²θ_d,
-/// (0, inf), which keeps digits that η′ has lost. Symmetric: -φ negates every h. Absolute error of h below 5e-7 in float and 1e-14 in double but for |dφ/dh| < 0.2,
-/// where it grows as 1/|dφ/dh|. NaN gives no roots.
+/// (0, inf), which keeps digits that η′ has lost. Symmetric: -φ negates every h. Absolute error of h below 5e-7 in
+/// float and 1e-14 in double but for |dφ/dh| < 0.2, where it grows as 1/|dφ/dh|. NaN gives no roots.
 template <std::floating_point Real>
 [[nodiscard]] scattering_roots<Real> find_scattering_roots(int path, Real phi, Real excess) noexcept;
 
@@ -112,11 +112,11 @@ template <std::floating_point Real>
 [[nodiscard]] bracket_sample<Real> sample_bracket(const root_bracket<Real>& bracket, Real x,
                                                   const caustic_point<Real>& caustic) noexcept {
   const Real eta = bracket.eta;
-  const rotation<Real> half = rotation_by(Real(0.5) * bracket.direction * x);
-  const rotation<Real> middle = bracket.outside * half;
-  const rotation<Real> outside = middle * half;
+  const rotation<Real> halfway = rotation_by(Real(0.5) * bracket.direction * x);
+  const rotation<Real> middle = turned_by(bracket.outside, halfway);
+  const rotation<Real> outside = turned_by(middle, halfway);
   // sin a - sin b = 2 cos((a + b)/2) sin((a - b)/2) keeps the digits of a small offset.
-  const Real gain = Real(2) * middle.cosine * half.sine;
+  const Real gain = Real(2) * middle.cosine * halfway.sine;
   const Real sum = outside.sine + bracket.outside.sine;
   const Real inside = square_root((eta - outside.sine) * (eta + outside.sine));
   const Real inside_there = square_root((eta - bracket.outside.sine) * (eta + bracket.outside.sine));
@@ -167,8 +167,8 @@ template <std::floating_point Real>
   const Real caustic_angle = angle_of(caustic.sine, caustic.cosine);
   const Real length = inner ? caustic_angle : right_angle - caustic_angle;
   const Real drop = caustic.half_azimuth - half_azimuth;
-  const Real parabola = caustic.curvature > Real(0) ? square_root(Real(2) * greatest(drop, Real(0)) / caustic.curvature)
-                                                    : length;
+  const Real parabola =
+      caustic.curvature > Real(0) ? square_root(Real(2) * greatest(drop, Real(0)) / caustic.curvature) : length;
   const Real cubic = cubic_root_start(eta, half_azimuth, inner ? 1 : 0);
   const bool by_caustic = parabola < Real(0.5) * length;
 

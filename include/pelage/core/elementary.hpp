@@ -98,11 +98,13 @@ template <real_number Real>
 
 /// The rotation by the sum of two angles.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline rotation<Real> operator*(const rotation<Real>& a, const rotation<Real>& b) noexcept;
+[[nodiscard, gnu::always_inline]] inline rotation<Real> turned_by(const rotation<Real>& a,
+                                                                  const rotation<Real>& b) noexcept;
 
 /// The rotation by a's angle less b's.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline rotation<Real> operator/(const rotation<Real>& a, const rotation<Real>& b) noexcept;
+[[nodiscard, gnu::always_inline]] inline rotation<Real> turned_back(const rotation<Real>& a,
+                                                                    const rotation<Real>& b) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -247,12 +249,12 @@ rotation<Real> rotation_by(Real x) noexcept {
 }
 
 template <real_number Real>
-rotation<Real> operator*(const rotation<Real>& a, const rotation<Real>& b) noexcept {
+rotation<Real> turned_by(const rotation<Real>& a, const rotation<Real>& b) noexcept {
   return rotation<Real>{a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
 }
 
 template <real_number Real>
-rotation<Real> operator/(const rotation<Real>& a, const rotation<Real>& b) noexcept {
+rotation<Real> turned_back(const rotation<Real>& a, const rotation<Real>& b) noexcept {
   return rotation<Real>{a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
 }
 

@@ -44,7 +44,7 @@ struct lanes {
   lanes() = default;
   explicit lanes(vector all) noexcept : lane(all) {}
   template <class Number>
-    requires std::is_arithmetic_v<Number>
+  requires std::is_arithmetic_v<Number>
   explicit lanes(Number same) noexcept : lane(vector{} + static_cast<float>(same)) {}
 
   /// W floats from memory of any alignment, and back.
