@@ -58,8 +58,8 @@ inline double_highlight kajiya_kay_double(const glm::vec3& tangent, const glm::v
                                           const highlight_shape& primary, const highlight_shape& secondary) noexcept {
   const float along_light = glm::dot(tangent, to_light);
   const float along_eye = glm::dot(tangent, to_eye);
-  const float across_light = safe_sqrt(1.0f - along_light * along_light);
-  const float across_eye = safe_sqrt(1.0f - along_eye * along_eye);
+  const float across_light = saturate(glm::length(glm::cross(tangent, to_light)));
+  const float across_eye = saturate(glm::length(glm::cross(tangent, to_eye)));
   const rotation<float> sum =
       turned_by(rotation<float>{across_light, along_light}, rotation<float>{across_eye, along_eye});
   return double_highlight{shifted_lobe(sum, primary), shifted_lobe(sum, secondary)};
