@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace pelage::bench {
@@ -27,7 +28,7 @@ class plain_chiang {
     scale_ = 0.626657069f * (0.265f * beta_n + 1.194f * beta_n * beta_n + 5.372f * std::pow(beta_n, 22.0f));
     sin_tilt_[0] = std::sin(tilt);
     cos_tilt_[0] = std::sqrt(1.0f - sin_tilt_[0] * sin_tilt_[0]);
-    for (int k = 1; k < 3; ++k) {
+    for (std::size_t k = 1; k < 3; ++k) {
       sin_tilt_[k] = 2.0f * cos_tilt_[k - 1] * sin_tilt_[k - 1];
       cos_tilt_[k] = cos_tilt_[k - 1] * cos_tilt_[k - 1] - sin_tilt_[k - 1] * sin_tilt_[k - 1];
     }
@@ -39,7 +40,7 @@ class plain_chiang {
     const float gamma_t = refracted(o);
     const std::array<glm::vec3, 4> a = attenuation(o, gamma_t);
     glm::vec3 sum(0.0f);
-    for (int p = 0; p < 3; ++p) {
+    for (std::size_t p = 0; p < 3; ++p) {
       sum += along(p, o, i) * round(i.phi - o.phi, p, gamma_t) * a[p];
     }
     sum += along(3, o, i) * a[3] / (2.0f * pi);
@@ -52,7 +53,7 @@ class plain_chiang {
     const float gamma_t = refracted(o);
     const std::array<float, 4> w = weights(attenuation(o, gamma_t));
     float sum = 0.0f;
-    for (int p = 0; p < 3; ++p) {
+    for (std::size_t p = 0; p < 3; ++p) {
       sum += along(p, o, i) * round(i.phi - o.phi, p, gamma_t) * w[p];
     }
     return sum + along(3, o, i) * w[3] / (2.0f * pi);
@@ -62,7 +63,7 @@ class plain_chiang {
     const angles o = take_apart(wo);
     const float gamma_t = refracted(o);
     const std::array<float, 4> w = weights(attenuation(o, gamma_t));
-    int p = 0;
+    std::size_t p = 0;
     while (p < 3 && u[0] >= w[p]) {
       u[0] -= w[p];
       ++p;
@@ -123,7 +124,7 @@ class plain_chiang {
   static std::array<float, 4> weights(const std::array<glm::vec3, 4>& a) {
     std::array<float, 4> w{};
     float sum = 0.0f;
-    for (int p = 0; p < 4; ++p) {
+    for (std::size_t p = 0; p < 4; ++p) {
       w[p] = (a[p].x + a[p].y + a[p].z) / 3.0f;
       sum += w[p];
     }
@@ -156,21 +157,21 @@ class plain_chiang {
     return std::log(bessel_i0(x));
   }
 
-  void tilted(int p, float& sin_o, float& cos_o) const {
+  void tilted(std::size_t p, float& sin_o, float& cos_o) const {
     const float s = sin_o;
     const float c = cos_o;
     if (p == 0) {
       sin_o = s * cos_tilt_[1] - c * sin_tilt_[1];
       cos_o = c * cos_tilt_[1] + s * sin_tilt_[1];
     } else if (p < 3) {
-      const int k = p == 1 ? 0 : 2;
+      const std::size_t k = p == 1 ? 0 : 2;
       sin_o = s * cos_tilt_[k] + c * sin_tilt_[k];
       cos_o = c * cos_tilt_[k] - s * sin_tilt_[k];
     }
     cos_o = std::abs(cos_o);
   }
 
-  float along(int p, const angles& o, const angles& i) const {
+  float along(std::size_t p, const angles& o, const angles& i) const {
     float sin_o = o.sin_theta;
     float cos_o = o.cos_theta;
     tilted(p, sin_o, cos_o);
@@ -183,7 +184,7 @@ class plain_chiang {
     return std::exp(-b) * bessel_i0(a) / (std::sinh(1.0f / v) * 2.0f * v);
   }
 
-  float middle(int p, float gamma_t) const {
+  float middle(std::size_t p, float gamma_t) const {
     return 2.0f * static_cast<float>(p) * gamma_t - 2.0f * gamma_o_ + static_cast<float>(p) * pi;
   }
 
@@ -192,7 +193,7 @@ class plain_chiang {
     return e / (scale_ * (1.0f + e) * (1.0f + e));
   }
 
-  float round(float phi, int p, float gamma_t) const {
+  float round(float phi, std::size_t p, float gamma_t) const {
     float x = phi - middle(p, gamma_t);
     while (x > pi) {
       x -= 2.0f * pi;
