@@ -61,6 +61,8 @@ class nearest_keys {
   [[nodiscard]] float bound() const noexcept;
   [[gnu::always_inline]] inline std::uint32_t write(fragment* nearest, std::uint32_t k) const noexcept;
   [[nodiscard]] bool needs_k_buffer() const noexcept { return odd_; }
+  [[nodiscard]] bool held() const noexcept { return held_; }
+  void clear() noexcept { held_ = signed_ = odd_ = false; }
 
  private:
   using lanes = vector_lanes<Isa>;
@@ -69,7 +71,7 @@ class nearest_keys {
   using longs = typename lanes::longs;
   static constexpr std::uint32_t rows = K / lanes::key_count;
 
-  keys key_[rows];
+  keys key_[rows] = {};  
   bool held_ = false;    ///< key_ holds keys
   bool signed_ = false;  ///< some of them negative depths
   bool odd_ = false;     ///< a -0 or a refused id was seen
@@ -159,6 +161,29 @@ inline std::uint32_t nearest_keys<K, Isa>::write(fragment* nearest, std::uint32_
   return held;
 }
 
+template <std::uint32_t K, vector_isa Isa>
+class pixel {
+ public:
+  [[gnu::always_inline]] inline void start(const fragment* list, std::size_t n) noexcept;
+  [[gnu::always_inline]] inline void gather() noexcept;
+  [[gnu::always_inline]] inline std::uint32_t finish(fragment* nearest, std::uint32_t k) noexcept;
+
+ private:
+  using lanes = vector_lanes<Isa>;
+  static constexpr std::uint32_t burst = 8u;
+
+  [[gnu::always_inline]] inline std::uint64_t near_in_block(std::size_t base) const noexcept;
+  void tighten() noexcept;
+  std::uint32_t select_in_k_buffer(fragment* nearest, std::uint32_t k) const noexcept;
+
+  const fragment* list_;
+  std::size_t n_;
+  float bound_;
+  std::size_t count_;
+  nearest_keys<K, Isa> best_;
+  alignas(64) fragment kept_[3u * K + 64u + burst];
+};
+
 /// A depth that at least K of the list's depths are within: the K-th least of 2 K minima, each over other fragments.
 template <std::uint32_t K, vector_isa Isa>
 [[nodiscard, gnu::always_inline]] inline float bound_of(const fragment* list, std::size_t n) noexcept {
@@ -184,89 +209,110 @@ template <std::uint32_t K, vector_isa Isa>
 }
 
 template <std::uint32_t K, vector_isa Isa>
-[[gnu::always_inline]] inline void gather(const fragment* list, std::size_t n, nearest_keys<K, Isa>& best) noexcept {
-  using lanes = vector_lanes<Isa>;
-  constexpr std::uint32_t burst = 8u;
-  float bound = bound_of<K, Isa>(list, n);
-  alignas(64) fragment kept[3u * K + 64u + burst];
-  std::size_t count = 0u;
-  for (std::size_t base = 0u; base < n; base += 64u) {
-    std::uint64_t near = 0u;
-    const auto limit = typename lanes::depths{} + bound;
-    if (base + 64u <= n) {
-      unroll<64u / lanes::depth_count>([&](auto v) __attribute__((always_inline)) {
-        constexpr std::uint32_t first = v * lanes::depth_count;
-        near |= std::uint64_t{lanes::within(lanes::depths_of(list + base + first), limit)} << first;
-      });
-    } else {
-      // The last vector looks back at fragments already seen; the shift drops their bits.
-      for (std::size_t i = base; i < n; i += lanes::depth_count) {
-        const std::size_t first = std::min(i, n - lanes::depth_count);
-        const std::uint64_t bits = lanes::within(lanes::depths_of(list + first), limit);
-        near |= bits >> (i - first) << (i - base);
+inline void pixel<K, Isa>::start(const fragment* list, std::size_t n) noexcept {
+  list_ = list;
+  n_ = n;
+  count_ = 0u;
+  best_.clear();
+  bound_ = n > 2u * K ? bound_of<K, Isa>(list, n) : std::numeric_limits<float>::infinity();
+}
+
+template <std::uint32_t K, vector_isa Isa>
+inline void pixel<K, Isa>::gather() noexcept {
+  if (n_ <= 2u * K) {
+    count_ = n_ % K;
+    std::copy_n(list_ + (n_ - count_), count_, kept_);
+  } else {
+    for (std::size_t base = 0u; base < n_; base += 64u) {
+      std::uint64_t near = near_in_block(base);
+      fragment* to = kept_ + count_;
+      count_ += static_cast<std::size_t>(std::popcount(near));
+      while (near != 0u) {
+        unroll<burst>([&](auto j) __attribute__((always_inline)) {
+          to[j] = list_[base + (static_cast<std::uint32_t>(std::countr_zero(near)) & 63u)];
+          near &= near - 1u;
+        });
+        to += burst;
+      }
+      if (count_ > 2u * K) [[unlikely]] {
+        tighten();
       }
     }
-    std::size_t to = count;
-    count += static_cast<std::size_t>(std::popcount(near));
-    while (near != 0u) {
-      unroll<burst>([&](auto j) __attribute__((always_inline)) {
-        kept[to + j] = list[base + (static_cast<std::uint32_t>(std::countr_zero(near)) & 63u) * (near != 0u)];
-        near &= near - 1u;
-      });
-      to += burst;
-    }
-    if (count > 2u * K) [[unlikely]] {
-      std::size_t from = 0u;
-      for (; from + K <= count; from += K) {
-        best.absorb(kept + from);
-      }
-      std::copy(kept + from, kept + count, kept);
-      count -= from;
-      bound = std::min(bound, best.bound());
+  }
+  std::fill_n(kept_ + count_, K, blank());
+}
+
+template <std::uint32_t K, vector_isa Isa>
+inline std::uint64_t pixel<K, Isa>::near_in_block(std::size_t base) const noexcept {
+  const auto limit = typename lanes::depths{} + bound_;
+  std::uint64_t near = 0u;
+  if (base + 64u <= n_) {
+    unroll<64u / lanes::depth_count>([&](auto v) __attribute__((always_inline)) {
+      constexpr std::uint32_t first = v * lanes::depth_count;
+      near |= std::uint64_t{lanes::within(lanes::depths_of(list_ + base + first), limit)} << first;
+    });
+  } else {
+    // The last vector looks back at fragments already seen; the shift drops their bits.
+    for (std::size_t i = base; i < n_; i += lanes::depth_count) {
+      const std::size_t first = std::min(i, n_ - lanes::depth_count);
+      const std::uint64_t bits = lanes::within(lanes::depths_of(list_ + first), limit);
+      near |= bits >> (i - first) << (i - base);
     }
   }
-  std::fill_n(kept + count, K, blank());
-  for (std::size_t from = 0u; from < count; from += K) {
-    best.absorb(kept + from);
+  return near;
+}
+
+template <std::uint32_t K, vector_isa Isa>
+[[gnu::noinline]] void pixel<K, Isa>::tighten() noexcept {
+  std::size_t from = 0u;
+  for (; from + K <= count_; from += K) {
+    best_.absorb(kept_ + from);
   }
+  count_ -= from;
+  std::copy_n(kept_ + from, count_, kept_);
+  bound_ = std::min(bound_, best_.bound());
+}
+
+template <std::uint32_t K, vector_isa Isa>
+inline std::uint32_t pixel<K, Isa>::finish(fragment* nearest, std::uint32_t k) noexcept {
+  if (n_ <= 2u * K) {
+    for (std::size_t from = 0u; from + K <= n_; from += K) {
+      best_.absorb(list_ + from);
+    }
+  }
+  for (std::size_t from = 0u; from < count_ || !best_.held(); from += K) {
+    best_.absorb(kept_ + from);
+  }
+  if (best_.needs_k_buffer()) [[unlikely]] {
+    return select_in_k_buffer(nearest, k);
+  }
+  return best_.write(nearest, k);
+}
+
+template <std::uint32_t K, vector_isa Isa>
+[[gnu::noinline]] std::uint32_t pixel<K, Isa>::select_in_k_buffer(fragment* nearest, std::uint32_t k) const noexcept {
+  auto buffer = k_buffer<K>::empty();
+  for (std::size_t i = 0u; i < n_; ++i) {
+    static_cast<void>(buffer.insert(list_[i]));
+  }
+  buffer.sort();
+  std::copy_n(buffer.slot.begin(), k, nearest);
+  return std::min(k, buffer.size());
 }
 
 template <std::uint32_t K, vector_isa Isa>
 std::uint32_t select(const fragment* list, std::size_t n, fragment* nearest, std::uint32_t k) noexcept {
   if constexpr (K > 8u) {
     if (n <= K / 2u) {
-      const std::uint32_t held = select<K / 2u, Isa>(list, n, nearest, std::min(k, K / 2u));
-      for (std::uint32_t i = K / 2u; i < k; ++i) {
-        nearest[i] = no_fragment();
-      }
-      return held;
+      const std::uint32_t near = std::min(k, K / 2u);
+      std::fill(nearest + near, nearest + k, no_fragment());
+      return select<K / 2u, Isa>(list, n, nearest, near);
     }
   }
-  nearest_keys<K, Isa> best;
-  if (n > 2u * K) {
-    gather<K, Isa>(list, n, best);
-  } else {
-    std::size_t from = 0u;
-    for (; from + K <= n; from += K) {
-      best.absorb(list + from);
-    }
-    if (from < n || n == 0u) {
-      fragment rest[K];
-      std::copy(list + from, list + n, rest);
-      std::fill(rest + (n - from), rest + K, blank());
-      best.absorb(rest);
-    }
-  }
-  if (best.needs_k_buffer()) [[unlikely]] {
-    auto buffer = k_buffer<K>::empty();
-    for (std::size_t i = 0u; i < n; ++i) {
-      static_cast<void>(buffer.insert(list[i]));
-    }
-    buffer.sort();
-    std::copy_n(buffer.slot.begin(), k, nearest);
-    return std::min(k, buffer.size());
-  }
-  return best.write(nearest, k);
+  pixel<K, Isa> one;
+  one.start(list, n);
+  one.gather();
+  return one.finish(nearest, k);
 }
 
 }  // namespace detail
@@ -281,7 +327,23 @@ template <std::uint32_t K, vector_isa Isa>
 void k_select(std::span<const fragment> fragments, std::span<const std::uint32_t> first,
               std::span<fragment> nearest) noexcept {
   PELAGE_ASSERT(first.empty() || nearest.size() >= (first.size() - 1u) * K);
-  for (std::size_t p = 0u; p + 1u < first.size(); ++p) {
+  constexpr std::uint32_t group = GROUP;
+  constexpr std::uint32_t W = std::max(8u, std::bit_ceil(K));
+  const std::size_t pixels = first.empty() ? 0u : first.size() - 1u;
+  std::size_t p = 0u;
+  detail::pixel<W, Isa> some[group];
+  for (; p + group <= pixels; p += group) {
+    for (std::uint32_t g = 0u; g < group; ++g) {
+      some[g].start(fragments.data() + first[p + g], first[p + g + 1u] - first[p + g]);
+    }
+    for (std::uint32_t g = 0u; g < group; ++g) {
+      some[g].gather();
+    }
+    for (std::uint32_t g = 0u; g < group; ++g) {
+      some[g].finish(nearest.data() + (p + g) * K, K);
+    }
+  }
+  for (; p < pixels; ++p) {
     static_cast<void>(k_select<K, Isa>(fragments.subspan(first[p], first[p + 1u] - first[p]),
                                        std::span<fragment, K>(nearest.data() + p * K, K)));
   }
