@@ -24,16 +24,20 @@ namespace pelage {
 ///
 /// `list`: any length, any order, ids unique. Must not overlap `nearest`. K in [1, 64].
 ///
-/// O(n) with few operations a fragment when the near ones are spread over the list, which is what most lists are;
-/// O(n log² K) at worst. No allocation; less than 32 K + 2048 bytes of stack. Lists with a -0 or with a refused id
-/// among the near are done by k_buffer, O(n K).
+/// A first pass takes the least depth of each of 2 K columns of the list; the K-th least of those bounds the K nearest,
+/// and in a list in no particular order about 1.4 K fragments lie within it, whatever its length. A second pass copies
+/// them, and a network sorts them. Lists that defeat the bound tighten it as they go. O(n + K log² K) operations, at
+/// worst O(n log² K), with a constant of 1 / lanes. Lists with a -0 or a refused id among the near ones go through
+/// k_buffer, O(n K). No allocation; at most 4 KiB of stack.
 template <std::uint32_t K, vector_isa Isa = widest_isa>
 std::uint32_t k_select(std::span<const fragment> list, std::span<fragment, K> nearest) noexcept;
 
 /// k_select for every pixel of a resolved A-buffer. The fragments of pixel p are those from first[p] up to
 /// first[p + 1]; its nearest go to nearest[p K] and on.
 ///
-/// `first`: one more than there are pixels, ascending, none beyond the fragments. `nearest`: K a pixel.
+/// `first`: one more than there are pixels (or empty), ascending, none beyond the fragments. `nearest`: K a pixel.
+/// Four long lists at a time, one's latency hidden behind the others': faster than a call for each. At most 12 KiB of
+/// stack.
 template <std::uint32_t K, vector_isa Isa = widest_isa>
 void k_select(std::span<const fragment> fragments, std::span<const std::uint32_t> first,
               std::span<fragment> nearest) noexcept;
@@ -42,27 +46,40 @@ void k_select(std::span<const fragment> fragments, std::span<const std::uint32_t
 
 namespace detail {
 
-/// The key of a fragment that is refused, or of none: behind every other.
-inline constexpr std::uint64_t no_key = 0x7f90000100000000u;
-/// Added to the depth's bits, so that every key is a normal double: nothing is flushed to zero.
-inline constexpr std::uint32_t key_offset = 0x00100000u;
-/// The bits of no_key's depth, a NaN that no other use is made of.
-inline constexpr std::uint32_t no_key_depth = 0x7f800001u;
+/// Depths within a pixel's lists as a float's bits: that of a place that holds no fragment, a NaN behind +inf.
+inline constexpr std::uint32_t blank_depth = 0x7f800001u;
 
-/// The K least keys so far, sorted. K: a power of two from 8 on.
+/// A key is a fragment as a double that orders as before() does: the depth's bits above, the id below (its complement
+/// where the depth is negative). `key_offset` is added to the depth's bits, and makes each key a normal double, so
+/// that no setting of the floating-point unit flushes one to zero; even +inf stays below the doubles' infinity.
+inline constexpr std::uint32_t key_offset = 0x00100000u;
+
+/// The key of a fragment given by its depth's bits; that of no fragment where the depth is NaN. -0 gives no good key.
+[[nodiscard]] inline std::uint64_t key_of(std::uint32_t depth, std::uint32_t id) noexcept;
+
+/// The fragment whose key this is.
+[[nodiscard]] inline fragment fragment_of(std::uint64_t key) noexcept;
+
+/// Stands in a list for no fragment.
+[[nodiscard]] inline fragment blank() noexcept;
+
+/// The K nearest of what was absorbed, sorted. K: a power of two from 8 on.
 template <std::uint32_t K, vector_isa Isa>
 class nearest_keys {
  public:
-  static constexpr std::uint32_t capacity = 2u * K;
-
-  /// Takes in K fragments; a place that holds none has the bits `no_key_depth` for a depth.
+  /// Takes in K fragments, blank ones among them.
   [[gnu::always_inline]] inline void absorb(const fragment* chunk) noexcept;
 
-  [[nodiscard]] float bound() const noexcept;
+  /// Writes the `k` first, no_fragment() where there are fewer; returns how many there are.
   [[gnu::always_inline]] inline std::uint32_t write(fragment* nearest, std::uint32_t k) const noexcept;
-  [[nodiscard]] bool needs_k_buffer() const noexcept { return odd_; }
-  [[nodiscard]] bool held() const noexcept { return held_; }
-  void clear() noexcept { held_ = signed_ = odd_ = false; }
+
+  /// The depth of the last of K, +inf where there are fewer.
+  [[nodiscard]] inline float bound() const noexcept;
+
+  [[nodiscard]] bool is_empty() const noexcept { return !held_; }
+  /// True if the keys do not tell all: a -0 or a refused id was among what was absorbed.
+  [[nodiscard]] bool is_inexact() const noexcept { return inexact_; }
+  void clear() noexcept { held_ = negative_ = inexact_ = false; }
 
  private:
   using lanes = vector_lanes<Isa>;
@@ -71,52 +88,84 @@ class nearest_keys {
   using longs = typename lanes::longs;
   static constexpr std::uint32_t rows = K / lanes::key_count;
 
-  keys key_[rows] = {};  
-  bool held_ = false;    ///< key_ holds keys
-  bool signed_ = false;  ///< some of them negative depths
-  bool odd_ = false;     ///< a -0 or a refused id was seen
+  /// As words, with the depth above the id.
+  [[nodiscard, gnu::always_inline]] static inline words both(std::uint32_t depth, std::uint32_t id) noexcept {
+    return (words)(longs{} + (std::uint64_t{depth} << 32 | id));
+  }
+
+  keys key_[rows] = {};    ///< sorted as lane_network does
+  bool held_ = false;      ///< something was absorbed
+  bool negative_ = false;  ///< some keys may be those of negative depths
+  bool inexact_ = false;
 };
 
-[[nodiscard]] inline fragment blank() noexcept { return fragment{std::bit_cast<float>(no_key_depth), 0u}; }
+/// One list of more than 2 K fragments on its way: start(), gather(), finish().
+template <std::uint32_t K, vector_isa Isa>
+class long_list {
+ public:
+  /// Finds the bound.
+  [[gnu::always_inline]] inline void start(const fragment* list, std::size_t n) noexcept;
+  /// Copies what is within it.
+  [[gnu::always_inline]] inline void gather() noexcept;
+  /// Sorts that.
+  [[gnu::always_inline]] inline std::uint32_t finish(fragment* nearest, std::uint32_t k) noexcept;
 
-[[nodiscard]] inline std::uint64_t key_of(std::uint32_t depth, std::uint32_t id) noexcept {
+ private:
+  using lanes = vector_lanes<Isa>;
+  static constexpr std::uint32_t block = 64u;
+  static constexpr std::uint32_t burst = 8u;
+
+  /// Bit i is set where fragment base + i of the list is within the bound.
+  [[nodiscard, gnu::always_inline]] inline std::uint64_t near_in_block(std::size_t base) const noexcept;
+  /// Absorbs what was copied and takes the bound from it.
+  inline void tighten() noexcept;
+
+  const fragment* list_;
+  std::size_t n_;
+  float bound_;
+  std::size_t count_;  ///< copied to kept_
+  nearest_keys<K, Isa> best_;
+  alignas(64) fragment kept_[3u * K + block + burst];
+};
+
+inline std::uint64_t key_of(std::uint32_t depth, std::uint32_t id) noexcept {
   const std::uint32_t magnitude = depth & 0x7fffffffu;
   if (magnitude > 0x7f800000u) {
-    return no_key;
+    return std::uint64_t{blank_depth + key_offset} << 32;
   }
-  const std::uint32_t low = depth == magnitude ? id : ~id;
-  return std::uint64_t{depth + key_offset} << 32 | low;
+  return std::uint64_t{depth + key_offset} << 32 | (depth == magnitude ? id : ~id);
 }
 
-[[nodiscard]] inline fragment fragment_of(std::uint64_t key) noexcept {
+inline fragment fragment_of(std::uint64_t key) noexcept {
   const auto depth = static_cast<std::uint32_t>(key >> 32) - key_offset;
   const auto low = static_cast<std::uint32_t>(key);
   return fragment{std::bit_cast<float>(depth), depth <= 0x7fffffffu ? low : ~low};
 }
 
+inline fragment blank() noexcept {
+  return fragment{std::bit_cast<float>(blank_depth), 0u};
+}
+
 template <std::uint32_t K, vector_isa Isa>
 inline void nearest_keys<K, Isa>::absorb(const fragment* chunk) noexcept {
-  // As 32-bit words a key is id, then depth.
-  const auto limit = (words)(longs{} + (std::uint64_t{no_key_depth} << 32 | 0xfffffffeu));
-  const auto offset = (words)(longs{} + (std::uint64_t{key_offset} << 32));
-  words greatest{};
   keys key[rows];
+  words greatest{};
   unroll<rows>([&](auto r) __attribute__((always_inline)) {
-    words raw;
-    std::memcpy(&raw, chunk + r * lanes::key_count, sizeof raw);
-    raw = lanes::template flip<1>(raw);
-    greatest = lanes::max(greatest, raw);
-    key[r] = (keys)(raw + offset);
+    words word;
+    std::memcpy(&word, chunk + r * lanes::key_count, sizeof word);
+    word = lanes::template flip<1>(word);
+    greatest = lanes::max(greatest, word);
+    key[r] = (keys)(word + both(key_offset, 0u));
   });
-  if (lanes::any_above(greatest, limit)) [[unlikely]] {
-    std::uint64_t slow[K];
+  if (lanes::any_above(greatest, both(blank_depth, 0xfffffffeu))) [[unlikely]] {  // negative, NaN, a refused id
+    std::uint64_t exact[K];
     for (std::uint32_t i = 0u; i < K; ++i) {
       const auto depth = std::bit_cast<std::uint32_t>(chunk[i].depth);
-      odd_ |= depth == 0x80000000u || chunk[i].id == 0xffffffffu;
-      slow[i] = key_of(depth, chunk[i].id);
+      inexact_ |= depth == 0x80000000u || chunk[i].id == 0xffffffffu;
+      exact[i] = key_of(depth, chunk[i].id);
     }
-    std::memcpy(key, slow, sizeof slow);
-    signed_ = true;
+    std::memcpy(key, exact, sizeof exact);
+    negative_ = true;
   }
   lane_network::sort<lanes>(key);
   if (held_) {
@@ -128,33 +177,25 @@ inline void nearest_keys<K, Isa>::absorb(const fragment* chunk) noexcept {
 }
 
 template <std::uint32_t K, vector_isa Isa>
-float nearest_keys<K, Isa>::bound() const noexcept {
-  const double last = key_[rows - 1u][lanes::key_count - 1u];
-  const auto key = std::bit_cast<std::uint64_t>(last);
-  return key == no_key ? std::numeric_limits<float>::infinity() : fragment_of(key).depth;
-}
-
-template <std::uint32_t K, vector_isa Isa>
 inline std::uint32_t nearest_keys<K, Isa>::write(fragment* nearest, std::uint32_t k) const noexcept {
-  std::uint64_t key[K];
-  std::memcpy(key, key_, sizeof key);
-  if (!signed_) {
-    const auto offset = (words)(longs{} + (std::uint64_t{key_offset} << 32));
-    fragment column[K];
+  fragment column[K];
+  if (!negative_) {
     unroll<rows>([&](auto r) __attribute__((always_inline)) {
-      const words raw = lanes::template flip<1>((words)key_[r] - offset);
-      std::memcpy(column + r * lanes::key_count, &raw, sizeof raw);
+      const words word = lanes::template flip<1>((words)key_[r] - both(key_offset, 0u));
+      std::memcpy(column + r * lanes::key_count, &word, sizeof word);
     });
-    for (std::uint32_t e = 0u; e < k; ++e) {
-      nearest[e] = column[e % rows * lanes::key_count + e / rows];
-    }
   } else {
-    for (std::uint32_t e = 0u; e < k; ++e) {
-      nearest[e] = fragment_of(key[e % rows * lanes::key_count + e / rows]);
+    std::uint64_t key[K];
+    std::memcpy(key, key_, sizeof key);
+    for (std::uint32_t i = 0u; i < K; ++i) {
+      column[i] = fragment_of(key[i]);
     }
   }
+  for (std::uint32_t i = 0u; i < k; ++i) {
+    nearest[i] = column[i % rows * lanes::key_count + i / rows];
+  }
   std::uint32_t held = k;
-  while (held > 0u && std::bit_cast<std::uint32_t>(nearest[held - 1u].depth) == no_key_depth) {
+  while (held > 0u && std::bit_cast<std::uint32_t>(nearest[held - 1u].depth) == blank_depth) {
     --held;
     nearest[held] = no_fragment();
   }
@@ -162,92 +203,66 @@ inline std::uint32_t nearest_keys<K, Isa>::write(fragment* nearest, std::uint32_
 }
 
 template <std::uint32_t K, vector_isa Isa>
-class pixel {
- public:
-  [[gnu::always_inline]] inline void start(const fragment* list, std::size_t n) noexcept;
-  [[gnu::always_inline]] inline void gather() noexcept;
-  [[gnu::always_inline]] inline std::uint32_t finish(fragment* nearest, std::uint32_t k) noexcept;
+inline float nearest_keys<K, Isa>::bound() const noexcept {
+  const double last = key_[rows - 1u][lanes::key_count - 1u];
+  const float depth = fragment_of(std::bit_cast<std::uint64_t>(last)).depth;
+  return std::bit_cast<std::uint32_t>(depth) == blank_depth ? std::numeric_limits<float>::infinity() : depth;
+}
 
- private:
-  using lanes = vector_lanes<Isa>;
-  static constexpr std::uint32_t burst = 8u;
-
-  [[gnu::always_inline]] inline std::uint64_t near_in_block(std::size_t base) const noexcept;
-  void tighten() noexcept;
-  std::uint32_t select_in_k_buffer(fragment* nearest, std::uint32_t k) const noexcept;
-
-  const fragment* list_;
-  std::size_t n_;
-  float bound_;
-  std::size_t count_;
-  nearest_keys<K, Isa> best_;
-  alignas(64) fragment kept_[3u * K + 64u + burst];
-};
-
-/// A depth that at least K of the list's depths are within: the K-th least of 2 K minima, each over other fragments.
 template <std::uint32_t K, vector_isa Isa>
-[[nodiscard, gnu::always_inline]] inline float bound_of(const fragment* list, std::size_t n) noexcept {
-  using lanes = vector_lanes<Isa>;
+inline void long_list<K, Isa>::start(const fragment* list, std::size_t n) noexcept {
+  using depths = typename lanes::depths;
   constexpr std::uint32_t rows = 2u * K / lanes::depth_count;
-  typename lanes::depths least[rows];
+  depths least[rows];
   unroll<rows>([&](auto r) __attribute__((always_inline)) {
-    least[r] = typename lanes::depths{} + std::numeric_limits<float>::infinity();
+    least[r] = depths{} + std::numeric_limits<float>::infinity();
   });
+  const auto lower = [&](auto r, std::size_t i) __attribute__((always_inline)) {
+    least[r] = lanes::min(lanes::shuffled_depths_of(list + i + r * lanes::depth_count), least[r]);
+  };
   std::size_t i = 0u;
   for (; i + 2u * K <= n; i += 2u * K) {
-    unroll<rows>([&](auto r) __attribute__((always_inline)) {
-      least[r] = lanes::min(lanes::shuffled_depths_of(list + i + r * lanes::depth_count), least[r]);
-    });
+    unroll<rows>([&](auto r) __attribute__((always_inline)) { lower(r, i); });
   }
-  // The last few, fewer than a vector, are left out: a looser bound is still one.
+  // What does not fill a vector at the end is left out: a bound from fewer fragments is still one.
   unroll<rows - 1u>([&](auto r) __attribute__((always_inline)) {
     if (i + (r + 1u) * lanes::depth_count <= n) {
-      least[r] = lanes::min(lanes::shuffled_depths_of(list + i + r * lanes::depth_count), least[r]);
+      lower(r, i);
     }
   });
-  return lane_network::lower_median<lanes>(least);
-}
-
-template <std::uint32_t K, vector_isa Isa>
-inline void pixel<K, Isa>::start(const fragment* list, std::size_t n) noexcept {
   list_ = list;
   n_ = n;
+  bound_ = lane_network::lower_median<lanes>(least);
   count_ = 0u;
   best_.clear();
-  bound_ = n > 2u * K ? bound_of<K, Isa>(list, n) : std::numeric_limits<float>::infinity();
 }
 
 template <std::uint32_t K, vector_isa Isa>
-inline void pixel<K, Isa>::gather() noexcept {
-  if (n_ <= 2u * K) {
-    count_ = n_ % K;
-    std::copy_n(list_ + (n_ - count_), count_, kept_);
-  } else {
-    for (std::size_t base = 0u; base < n_; base += 64u) {
-      std::uint64_t near = near_in_block(base);
-      fragment* to = kept_ + count_;
-      count_ += static_cast<std::size_t>(std::popcount(near));
-      while (near != 0u) {
-        unroll<burst>([&](auto j) __attribute__((always_inline)) {
-          to[j] = list_[base + (static_cast<std::uint32_t>(std::countr_zero(near)) & 63u)];
-          near &= near - 1u;
-        });
-        to += burst;
-      }
-      if (count_ > 2u * K) [[unlikely]] {
-        tighten();
-      }
+inline void long_list<K, Isa>::gather() noexcept {
+  for (std::size_t base = 0u; base < n_; base += block) {
+    std::uint64_t near = near_in_block(base);
+    fragment* to = kept_ + count_;
+    count_ += static_cast<std::size_t>(std::popcount(near));
+    while (near != 0u) {  // in bursts, since a branch for each costs more than a few copies in vain
+      unroll<burst>([&](auto j) __attribute__((always_inline)) {
+        to[j] = list_[base + (static_cast<std::uint32_t>(std::countr_zero(near)) & 63u)];
+        near &= near - 1u;
+      });
+      to += burst;
+    }
+    if (count_ > 2u * K) [[unlikely]] {
+      tighten();
     }
   }
   std::fill_n(kept_ + count_, K, blank());
 }
 
 template <std::uint32_t K, vector_isa Isa>
-inline std::uint64_t pixel<K, Isa>::near_in_block(std::size_t base) const noexcept {
+inline std::uint64_t long_list<K, Isa>::near_in_block(std::size_t base) const noexcept {
   const auto limit = typename lanes::depths{} + bound_;
   std::uint64_t near = 0u;
-  if (base + 64u <= n_) {
-    unroll<64u / lanes::depth_count>([&](auto v) __attribute__((always_inline)) {
+  if (base + block <= n_) {
+    unroll<block / lanes::depth_count>([&](auto v) __attribute__((always_inline)) {
       constexpr std::uint32_t first = v * lanes::depth_count;
       near |= std::uint64_t{lanes::within(lanes::depths_of(list_ + base + first), limit)} << first;
     });
@@ -263,7 +278,7 @@ inline std::uint64_t pixel<K, Isa>::near_in_block(std::size_t base) const noexce
 }
 
 template <std::uint32_t K, vector_isa Isa>
-[[gnu::noinline]] void pixel<K, Isa>::tighten() noexcept {
+[[gnu::noinline]] inline void long_list<K, Isa>::tighten() noexcept {
   std::size_t from = 0u;
   for (; from + K <= count_; from += K) {
     best_.absorb(kept_ + from);
@@ -273,27 +288,13 @@ template <std::uint32_t K, vector_isa Isa>
   bound_ = std::min(bound_, best_.bound());
 }
 
-template <std::uint32_t K, vector_isa Isa>
-inline std::uint32_t pixel<K, Isa>::finish(fragment* nearest, std::uint32_t k) noexcept {
-  if (n_ <= 2u * K) {
-    for (std::size_t from = 0u; from + K <= n_; from += K) {
-      best_.absorb(list_ + from);
-    }
-  }
-  for (std::size_t from = 0u; from < count_ || !best_.held(); from += K) {
-    best_.absorb(kept_ + from);
-  }
-  if (best_.needs_k_buffer()) [[unlikely]] {
-    return select_in_k_buffer(nearest, k);
-  }
-  return best_.write(nearest, k);
-}
-
-template <std::uint32_t K, vector_isa Isa>
-[[gnu::noinline]] std::uint32_t pixel<K, Isa>::select_in_k_buffer(fragment* nearest, std::uint32_t k) const noexcept {
+/// The slow way, for a list that has what keys cannot tell.
+template <std::uint32_t K>
+[[gnu::noinline]] inline std::uint32_t select_in_k_buffer(const fragment* list, std::size_t n, fragment* nearest,
+                                                          std::uint32_t k) noexcept {
   auto buffer = k_buffer<K>::empty();
-  for (std::size_t i = 0u; i < n_; ++i) {
-    static_cast<void>(buffer.insert(list_[i]));
+  for (std::size_t i = 0u; i < n; ++i) {
+    static_cast<void>(buffer.insert(list[i]));
   }
   buffer.sort();
   std::copy_n(buffer.slot.begin(), k, nearest);
@@ -301,51 +302,84 @@ template <std::uint32_t K, vector_isa Isa>
 }
 
 template <std::uint32_t K, vector_isa Isa>
+inline std::uint32_t long_list<K, Isa>::finish(fragment* nearest, std::uint32_t k) noexcept {
+  for (std::size_t from = 0u; from < count_ || best_.is_empty(); from += K) {
+    best_.absorb(kept_ + from);
+  }
+  return best_.is_inexact() ? select_in_k_buffer<K>(list_, n_, nearest, k) : best_.write(nearest, k);
+}
+
+/// k_select by the network for K, which is a power of two, of which the `k` first are written.
+template <std::uint32_t K, vector_isa Isa>
 std::uint32_t select(const fragment* list, std::size_t n, fragment* nearest, std::uint32_t k) noexcept {
+  if (n > 2u * K) {
+    long_list<K, Isa> one;
+    one.start(list, n);
+    one.gather();
+    return one.finish(nearest, k);
+  }
   if constexpr (K > 8u) {
     if (n <= K / 2u) {
-      const std::uint32_t near = std::min(k, K / 2u);
-      std::fill(nearest + near, nearest + k, no_fragment());
-      return select<K / 2u, Isa>(list, n, nearest, near);
+      const std::uint32_t half = std::min(k, K / 2u);
+      std::fill(nearest + half, nearest + k, no_fragment());
+      return select<K / 2u, Isa>(list, n, nearest, half);
     }
   }
-  pixel<K, Isa> one;
-  one.start(list, n);
-  one.gather();
-  return one.finish(nearest, k);
+  nearest_keys<K, Isa> best;
+  std::size_t from = 0u;
+  for (; from + K <= n; from += K) {
+    best.absorb(list + from);
+  }
+  if (from < n || n == 0u) {
+    fragment rest[K];
+    std::fill(std::copy(list + from, list + n, rest), rest + K, blank());
+    best.absorb(rest);
+  }
+  return best.is_inexact() ? select_in_k_buffer<K>(list, n, nearest, k) : best.write(nearest, k);
 }
+
+/// The network for K.
+template <std::uint32_t K>
+inline constexpr std::uint32_t network_size = std::max(8u, std::bit_ceil(K));
 
 }  // namespace detail
 
 template <std::uint32_t K, vector_isa Isa>
 std::uint32_t k_select(std::span<const fragment> list, std::span<fragment, K> nearest) noexcept {
   static_assert(K >= 1u && K <= 64u, "pelage::k_select<K>: K must be in [1, 64]");
-  return detail::select<std::max(8u, std::bit_ceil(K)), Isa>(list.data(), list.size(), nearest.data(), K);
+  return detail::select<detail::network_size<K>, Isa>(list.data(), list.size(), nearest.data(), K);
 }
 
 template <std::uint32_t K, vector_isa Isa>
 void k_select(std::span<const fragment> fragments, std::span<const std::uint32_t> first,
               std::span<fragment> nearest) noexcept {
-  PELAGE_ASSERT(first.empty() || nearest.size() >= (first.size() - 1u) * K);
-  constexpr std::uint32_t group = GROUP;
-  constexpr std::uint32_t W = std::max(8u, std::bit_ceil(K));
+  static_assert(K >= 1u && K <= 64u, "pelage::k_select<K>: K must be in [1, 64]");
+  constexpr std::uint32_t N = detail::network_size<K>;
+  constexpr std::size_t together = 4u;
   const std::size_t pixels = first.empty() ? 0u : first.size() - 1u;
-  std::size_t p = 0u;
-  detail::pixel<W, Isa> some[group];
-  for (; p + group <= pixels; p += group) {
-    for (std::uint32_t g = 0u; g < group; ++g) {
-      some[g].start(fragments.data() + first[p + g], first[p + g + 1u] - first[p + g]);
+  PELAGE_ASSERT(nearest.size() >= pixels * K);
+  const auto length = [&](std::size_t p) { return std::size_t{first[p + 1u]} - first[p]; };
+  for (std::size_t p = 0u; p < pixels;) {
+    std::size_t long_ones = 0u;
+    while (long_ones < together && p + long_ones < pixels && length(p + long_ones) > 2u * N) {
+      ++long_ones;
     }
-    for (std::uint32_t g = 0u; g < group; ++g) {
-      some[g].gather();
+    if (long_ones == together) {
+      detail::long_list<N, Isa> list[together];
+      for (std::size_t i = 0u; i < together; ++i) {
+        list[i].start(fragments.data() + first[p + i], length(p + i));
+      }
+      for (std::size_t i = 0u; i < together; ++i) {
+        list[i].gather();
+      }
+      for (std::size_t i = 0u; i < together; ++i) {
+        list[i].finish(nearest.data() + (p + i) * K, K);
+      }
+      p += together;
+    } else {
+      detail::select<N, Isa>(fragments.data() + first[p], length(p), nearest.data() + p * K, K);
+      ++p;
     }
-    for (std::uint32_t g = 0u; g < group; ++g) {
-      some[g].finish(nearest.data() + (p + g) * K, K);
-    }
-  }
-  for (; p < pixels; ++p) {
-    static_cast<void>(k_select<K, Isa>(fragments.subspan(first[p], first[p + 1u] - first[p]),
-                                       std::span<fragment, K>(nearest.data() + p * K, K)));
   }
 }
 
