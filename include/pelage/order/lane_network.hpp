@@ -66,9 +66,8 @@ template <class Lanes, std::uint32_t D, class Vector, std::uint32_t Rows>
     });
     sort_bitonic<Lanes, D / 2u>(row);
   } else {
-    constexpr auto halve = []<std::uint32_t Distance>(auto self, Vector(&v)[Rows],
-                                                      std::integral_constant<std::uint32_t, Distance>)
-                               __attribute__((always_inline)) {
+    constexpr auto halve = []<std::uint32_t Distance>(
+        auto self, Vector(&v)[Rows], std::integral_constant<std::uint32_t, Distance>) __attribute__((always_inline)) {
       if constexpr (Distance >= 1u) {
         unroll<Rows / 2u>([&](auto i) __attribute__((always_inline)) {
           constexpr std::uint32_t r = i / Distance * 2u * Distance + i % Distance;

@@ -108,7 +108,8 @@ template <std::uint32_t N, class F>
 inline void unroll(F f) noexcept {
   [&]<std::uint32_t... I>(std::integer_sequence<std::uint32_t, I...>) __attribute__((always_inline)) {
     (f(std::integral_constant<std::uint32_t, I>{}), ...);
-  }(std::make_integer_sequence<std::uint32_t, N>{});
+  }
+  (std::make_integer_sequence<std::uint32_t, N>{});
 }
 
 /// A vector made of lanes of `a` and `b`: lane i is number source(i) of both together.
