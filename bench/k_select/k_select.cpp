@@ -16,8 +16,9 @@ static void run(const workload& w) {
 
 #define PELAGE_JOIN(a, b) a##b
 #define PELAGE_TEXT(a) #a
-#define PELAGE_METHOD(isa) \
-  const method PELAGE_JOIN(k_select_, isa) = {"k_select " PELAGE_TEXT(isa), true, {run<4>, run<8>, run<16>, run<32>, run<64>}}
+#define PELAGE_METHOD(isa)                     \
+  const method PELAGE_JOIN(k_select_, isa) = { \
+      "k_select " PELAGE_TEXT(isa), true, {run<4>, run<8>, run<16>, run<32>, run<64>}}
 PELAGE_METHOD(PELAGE_BENCH_ISA);
 
 }  // namespace bench

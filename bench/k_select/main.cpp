@@ -87,8 +87,8 @@ std::vector<double> measure(const std::vector<bench::method>& methods, const std
       } else if (m == 0u) {
         expected = nearest;
       } else if (!std::equal(nearest.begin(), nearest.end(), expected.begin(), pelage::same)) {
-        throw std::runtime_error(fmt::format("{} and {} differ at n = {}, K = {}, {}", methods[m].name,
-                                             methods[0].name, n, k, name));
+        throw std::runtime_error(
+            fmt::format("{} and {} differ at n = {}, K = {}, {}", methods[m].name, methods[0].name, n, k, name));
       }
     }
   }
