@@ -45,7 +45,7 @@ raster::outline raster::outline_of(std::uint32_t segment) const {
       expand_segment(position_[i], position_[i + 1], radius, view_.cone, view_.near_plane, margin);
   outline o{{}, quad.visible, true};
   for (std::size_t k = 0; k < 4; ++k) {
-    o.bounded = o.bounded && -quad.corner[k].z > 0.5F * view_.near_plane;
+    o.bounded = o.bounded && (!view_.perspective || -quad.corner[k].z >= view_.near_plane);
     o.corner[k] = view_.to_pixel(quad.corner[k]);
   }
   return o;
