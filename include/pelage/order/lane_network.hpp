@@ -18,8 +18,7 @@ template <class Lanes, class Vector, std::uint32_t Rows>
 template <class Lanes, class Vector, std::uint32_t Rows>
 [[gnu::always_inline]] inline void keep_least(Vector (&a)[Rows], const Vector (&b)[Rows]) noexcept;
 
-/// A bound that at least half of the elements reach and at most one of them exceeds the others by: the greatest of
-/// the lesser half. Leaves the elements in no order.
+/// The greatest of the lesser half of the elements. Leaves them in no order.
 template <class Lanes, class Vector, std::uint32_t Rows>
 [[nodiscard, gnu::always_inline]] inline auto lower_median(Vector (&row)[Rows]) noexcept;
 
