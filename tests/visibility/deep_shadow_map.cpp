@@ -85,7 +85,7 @@ std::vector<float> telling_depths(const std::vector<occluder>& sorted) {
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const float z = sorted[i].depth;
     depths.insert(depths.end(), {z, std::nextafter(z, inf), std::nextafter(z, -inf)});
-    if (i > 0) depths.push_back(0.5f * z + 0.5f * sorted[i - 1].depth);
+    if (i > 0) depths.push_back(0.5f * held_depth(z) + 0.5f * held_depth(sorted[i - 1].depth));
   }
   std::sort(depths.begin(), depths.end());
   return depths;

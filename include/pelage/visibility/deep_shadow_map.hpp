@@ -12,7 +12,7 @@ namespace pelage {
 
 /// A point of a deep shadow map's transmittance function.
 struct deep_shadow_vertex {
-  float depth;          ///< [-2¹²⁶, 2¹²⁶]
+  float depth;          ///< [-2¹⁰⁰, 2¹⁰⁰]
   float transmittance;  ///< [0, 1]
 };
 
@@ -43,8 +43,8 @@ static_assert(deep_shadow_storage<span_vertex_storage>);
 /// depth. Begin, add() every fragment nearest first, finish(); `count` is then the number of vertices, at most 2 a
 /// fragment. O(1) a fragment. One thread builds a texel.
 ///
-/// Depths, of look-ups too, are held to [-2¹²⁶, 2¹²⁶], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: all slopes are
-/// then finite.
+/// Depths, of look-ups too, are held to [-2¹⁰⁰, 2¹⁰⁰], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: no slope
+/// then leaves a float's range.
 struct deep_shadow_builder {
   std::uint32_t first;         ///< of the texel's vertices in the storage
   std::uint32_t count;         ///< vertices written so far
@@ -94,7 +94,7 @@ template <deep_shadow_storage Storage>
   if (!(magnitude >= 7.88860905e-31f)) {
     return 0.0f;
   }
-  const float held = magnitude < 8.50705917e37f ? magnitude : 8.50705917e37f;
+  const float held = magnitude < 1.26765060e30f ? magnitude : 1.26765060e30f;
   return depth < 0.0f ? -held : held;
 }
 
@@ -142,7 +142,8 @@ constexpr void deep_shadow_builder::pass(Storage& storage, float depth, float tr
   if (depth > from.depth) {
     const float down = (least - from.transmittance) / (depth - from.depth);
     const float up = (most - from.transmittance) / (depth - from.depth);
-    if (up < least_slope || down > greatest_slope) {
+    const bool step = tolerance == 0.0f && truth < from.transmittance;  // however small
+    if (step || up < least_slope || down > greatest_slope) {
       end_line(storage);
     }
   }
