@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #include <pelage/visibility/depth_range.hpp>
+#include <pelage/visibility/occupancy_batch.hpp>
 #include <pelage/visibility/occupancy_map.hpp>
 
 #include "visibility/map_laws.hpp"
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace pelage::test {
@@ -48,6 +50,33 @@ TEST_CASE("they are kept with slabs of several words, of parts of one, and of on
 
 TEST_CASE("seeded: cells that change in two steps lose fragments, and the laws see it") {
   CHECK(lost_by_torn_cells<occupancy<32u, 1u>>() > 0.0);
+}
+
+template <std::uint32_t Slices, std::uint32_t Slabs>
+void check_batch(std::uint32_t most) {
+  holds(std::to_string(Slices) + " slices in " + std::to_string(Slabs) + " slabs", [most] {
+    using described = occupancy<Slices, Slabs>;
+    const auto map = map_of<described>(draw_entries<described>(most));
+    std::vector<float> positions(*rc::gen::inRange<std::size_t>(0u, 70u));
+    for (float& position : positions) {
+      position = static_cast<float>(*rc::gen::inRange<std::uint32_t>(0u, 16u * Slices + 1u)) / 16.0f;
+    }
+    std::vector<float> amounts(positions.size());
+    amounts_before(map, positions, amounts);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      RC_ASSERT(amounts[i] == map.amount_before(positions[i]));
+    }
+    amounts_before(map, positions, positions);
+    RC_ASSERT(positions == amounts);
+  });
+}
+
+TEST_CASE("batches give the bits of single look-ups, in place too") {
+  check_batch<128u, 4u>(1000u);
+  check_batch<128u, 4u>(1u << 30u);
+  check_batch<128u, 1u>(1u);
+  check_batch<64u, 16u>(1u << 20u);
+  check_batch<32u, 32u>(1u);
 }
 
 TEST_CASE("where no slice holds more than one fragment the order is the truth at every slice") {
