@@ -174,13 +174,15 @@ const std::vector<method> methods{
     {"deep shadow map 0.03", 0, by_deep_shadow<30>},
 };
 
-/// The truth before each fragment of a sorted list.
+/// The truth at each fragment of a sorted list: what passes all that lie strictly before it.
 std::vector<float> truth_of(const texel& t) {
   std::vector<float> passed;
-  float optical = 0.0F;
+  float before = 1.0F;
+  float all = 1.0F;
   for (std::size_t i = 0; i < t.list.size(); ++i) {
-    passed.push_back(passed_by(optical));
-    optical += static_cast<float>(t.optical[i]);
+    if (i > 0 && t.list[i].depth > t.list[i - 1].depth) before = all;
+    passed.push_back(before);
+    all *= transmittance_of(t.optical[i]);
   }
   return passed;
 }
@@ -450,9 +452,9 @@ void measure(const std::string& hair, std::uint32_t strand_count, int size, cons
   solids opaque;
   if (hair.empty()) opaque.parts.assign(bust.begin(), bust.end());
 
-  const auto lists_of = [&](const char* from, const auto& use) {
+  const auto lists_of = [&](const char* from, bool antialias, const auto& use) {
     const view seen = light_view(place_light(parse_light(from), round), round, size);
-    const raster fragments(fibres, seen, true);
+    const raster fragments(fibres, seen, antialias);
     const std::vector<float> limit = opaque_depths(seen, opaque);
     lists all(fragments);
     const order_report report = run_order_pass(fragments, limit, {order_method::full_sort, 16, {}}, all);
@@ -463,12 +465,16 @@ void measure(const std::string& hair, std::uint32_t strand_count, int size, cons
                         {"strands", model.strand_count()},
                         {"size", size},
                         {"memory", memory()}};
-  lists_of("directional:0.5,1.4,1.9:1,1,1", [&](const lists& all) {
-    for (const float alpha : {0.25F, 0.15F, 0.03F}) result["visibility"].push_back(visibility(all, alpha));
-  });
-  lists_of("directional:0.4,0.14,0.9:1,1,1", [&](const lists& all) {
-    for (const float alpha : {0.25F, 0.15F, 0.03F}) result["blending"].push_back(blending_errors(all, fibres, alpha));
-  });
+  // Fibres as thin as they are, and as the papers draw them: lines of a pixel's width, whose alpha is never shared.
+  for (const bool antialias : {true, false}) {
+    nlohmann::json& part = result[antialias ? "thin" : "lines"];
+    lists_of("directional:0.5,1.4,1.9:1,1,1", antialias, [&](const lists& all) {
+      for (const float alpha : {0.25F, 0.15F, 0.03F}) part["visibility"].push_back(visibility(all, alpha));
+    });
+    lists_of("directional:0.4,0.14,0.9:1,1,1", antialias, [&](const lists& all) {
+      for (const float alpha : {0.25F, 0.15F, 0.03F}) part["blending"].push_back(blending_errors(all, fibres, alpha));
+    });
+  }
   const std::string text = result.dump(1) + "\n";
   write_file(out, std::as_bytes(std::span(text)));
 }
