@@ -32,7 +32,7 @@ print(f"{measured['model']}: {measured['strands']} strands, {measured['size']}x{
 def errors_by_alpha(kind, columns):
     """A table of one kind of error, a row a method and a column a drawing and alpha."""
     heads = [f"{titles[part]}, {one['alpha']:.2f}" for part in titles for one in measured[part][kind]]
-    print("| method | " + " | ".join(head for _, head in columns) + " | " + " | ".join(heads) + " |")
+    print("| " + " | ".join(["method", *(head for _, head in columns), *heads]) + " |")
     print("| --- |" + " ---: |" * (len(columns) + len(heads)))
     for i, first in enumerate(measured["lines"][kind][0]["methods"]):
         values = [f"{first[key]:.0f}" for key, _ in columns]
@@ -45,7 +45,7 @@ def errors_by_alpha(kind, columns):
 
 
 print("RMS / maximum error of visibility:\n")
-errors_by_alpha("visibility", [("bytes_per_texel", "bytes a texel"), ("nanoseconds", "ns a fragment")])
+errors_by_alpha("visibility", [("bytes_per_texel", "bytes a texel")])
 print("RMS / maximum error of blending:\n")
 errors_by_alpha("blending", [])
 print("| map of 512x512 | MiB |\n| --- | ---: |")
@@ -64,19 +64,22 @@ for axis, names in zip(axes, groups):
     axis.set_xlabel("depth")
     axis.legend(fontsize=8)
 axes[0].set_ylabel("visibility")
+dark = next((z for z, passed in zip(ray["depth"], ray["truth"]) if passed < 0.003), ray["depth"][-1])
+for axis in axes:
+    axis.set_xlim(ray["depth"][0], dark)
 figure.tight_layout(pad=0.5)
 figure.savefig(pictures / "ray.png", dpi=110)
 
 # Error against memory, and the blendings.
 figure, axes = matplotlib.pyplot.subplots(1, 2, figsize=(12, 4.6))
-for i, method in enumerate(measured["lines"]["visibility"][1]["methods"]):
-    axes[0].plot(method["bytes_per_texel"], method["rms"], "o")
-    axes[0].annotate(method["name"], (method["bytes_per_texel"], method["rms"]), fontsize=8,
-                     xytext=(4, 3), textcoords="offset points")
+colours = matplotlib.pyplot.get_cmap("tab20").colors[::2] + matplotlib.pyplot.get_cmap("tab20b").colors[::5]
+for colour, method in zip(colours, measured["lines"]["visibility"][1]["methods"]):
+    axes[0].plot(method["bytes_per_texel"], method["rms"], "o", color=colour, label=method["name"])
+axes[0].legend(fontsize=7)
 axes[0].set(xscale="log", yscale="log", xlabel="bytes a texel", ylabel="RMS error of visibility, alpha 0.15")
-for method in zip(*(one["methods"] for one in measured["lines"]["blending"])):
+for colour, method in zip(colours, zip(*(one["methods"] for one in measured["lines"]["blending"]))):
     alphas = [one["alpha"] for one in measured["lines"]["blending"]]
-    axes[1].plot(alphas, [max(m["rms"], 1e-6) for m in method], "o-", linewidth=1, label=method[0]["name"])
+    axes[1].plot(alphas, [m["rms"] for m in method], "o-", color=colour, linewidth=1, label=method[0]["name"])
 axes[1].set(yscale="log", xlabel="alpha", ylabel="RMS error of colour")
 axes[1].legend(fontsize=7)
 figure.tight_layout(pad=0.5)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // How far every visibility structure and every blending is from the sorted truth on real hair: the fragments are those
-// of the frame renderer, the truth is each pixel's whole list, sorted. Writes one JSON file; figures.py draws it.
+// of the frame renderer, the truth is each pixel's whole list, sorted. Writes one JSON file; figures.py draws it. Times are bench/visibility's.
 #include <pelage/composite/order_weighted.hpp>
 #include <pelage/composite/radiance.hpp>
 #include <pelage/composite/stochastic.hpp>
@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -236,7 +235,6 @@ nlohmann::json visibility(const lists& light, float alpha) {
     return t;
   };
   std::vector<difference> errors(methods.size());
-  std::vector<double> seconds(methods.size(), 0.0);
   std::vector<std::uint64_t> vertices(methods.size(), 0);
   std::vector<float> passed;
   for (std::size_t p = 0; p < light.pixels(); ++p) {
@@ -246,9 +244,7 @@ nlohmann::json visibility(const lists& light, float alpha) {
     const std::vector<float> depths = depths_of(t.list);
     passed.resize(truth.size());
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const auto start = std::chrono::steady_clock::now();
       methods[m].estimate(t, depths, passed, vertices[m]);
-      seconds[m] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       for (std::size_t i = 0; i < truth.size(); ++i) errors[m].see(double{passed[i]} - double{truth[i]});
     }
   }
@@ -261,8 +257,7 @@ nlohmann::json visibility(const lists& light, float alpha) {
     result["methods"].push_back({{"name", methods[m].name},
                                  {"rms", errors[m].rms()},
                                  {"maximum", errors[m].largest},
-                                 {"bytes_per_texel", bytes},
-                                 {"nanoseconds", 1e9 * seconds[m] / static_cast<double>(light.fragments())}});
+                                 {"bytes_per_texel", bytes}});
   }
   // The ray with most fragments, drawn at 400 depths.
   const texel t = texel_of(longest);
