@@ -75,7 +75,7 @@ figure, axes = matplotlib.pyplot.subplots(1, 2, figsize=(12, 4.6))
 colours = matplotlib.pyplot.get_cmap("tab20").colors[::2] + matplotlib.pyplot.get_cmap("tab20b").colors[::5]
 for colour, method in zip(colours, measured["lines"]["visibility"][1]["methods"]):
     axes[0].plot(method["bytes_per_texel"], method["rms"], "o", color=colour, label=method["name"])
-axes[0].legend(fontsize=7)
+axes[0].legend(fontsize=7, loc="lower right")
 axes[0].set(xscale="log", yscale="log", xlabel="bytes a texel", ylabel="RMS error of visibility, alpha 0.15")
 for colour, method in zip(colours, zip(*(one["methods"] for one in measured["lines"]["blending"]))):
     alphas = [one["alpha"] for one in measured["lines"]["blending"]]

@@ -8,6 +8,7 @@
 #include <pelage/composite/stochastic.hpp>
 #include <pelage/composite/weighted_average.hpp>
 #include <pelage/composite/weighted_blended.hpp>
+#include <pelage/core/mixed_bits.hpp>
 #include <pelage/visibility/deep_shadow_map.hpp>
 #include <pelage/visibility/density_clusters.hpp>
 #include <pelage/visibility/depth_range.hpp>

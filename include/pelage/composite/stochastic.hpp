@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/core/assert.hpp>
 #include <pelage/core/fragment.hpp>
+#include <pelage/core/mixed_bits.hpp>
 #include <pelage/visibility/cell_storage.hpp>
 
 #include <array>
@@ -32,7 +33,8 @@ struct stochastic_depths {
   /// `stream`: stochastic_stream() of the pixel. Not concurrent. O(Samples).
   constexpr void add(fragment f, float alpha, std::uint32_t stream) noexcept;
 
-  /// The share of samples that hold nothing before a depth, [0, 1]; never rises with depth. NaN gives 0 or 1.
+  /// The share of samples that hold nothing before a depth, [0, 1]; never rises with depth. A NaN depth lies
+  /// before or behind all.
   [[nodiscard]] constexpr float transmittance_before(float depth) const noexcept;
 };
 
@@ -50,13 +52,6 @@ template <std::uint32_t Samples, cell_storage Storage>
 [[nodiscard]] stochastic_depths<Samples> load_stochastic_depths(const Storage& storage, std::uint32_t pixel) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
-
-/// A number whose every bit depends on every bit of x; one to one. ("lowbias32" of C. Wellons' hash-prospector.)
-[[nodiscard]] constexpr std::uint32_t mixed_bits(std::uint32_t x) noexcept {
-  const std::uint32_t a = (x ^ (x >> 16u)) * 0x7feb352du;
-  const std::uint32_t b = (a ^ (a >> 15u)) * 0x846ca68bu;
-  return b ^ (b >> 16u);
-}
 
 /// True if a fragment is opaque in a sample.
 [[nodiscard]] constexpr bool takes_sample(std::uint32_t id, float alpha, std::uint32_t stream,
