@@ -112,6 +112,12 @@ TEST_CASE("with an error of 0 the map is the truth, bit for bit") {
   });
 }
 
+TEST_CASE("with an error of 0 no step is too small for its distance") {
+  const std::vector<occluder> dark{{1.0f, 0.99999f}, {1.0f, 0.99999f}, {1.0f, 0.99999f}, {1e30f, 0.5f}};
+  CHECK(map_of(dark, 0.0f).at(1e30f) == truth_at(dark, 1e30f));
+  CHECK(map_of(dark, 0.0f).at(1.2e30f) == 0.5f * truth_at(dark, 1e30f));
+}
+
 TEST_CASE("transmittance never rises, begins at 1 and stays in [0, 1]") {
   holds("any list, any error", [] {
     const std::vector<occluder> sorted = draw_occluders();

@@ -152,8 +152,8 @@ constexpr void deep_shadow_builder::pass(Storage& storage, float depth, float tr
     const float up = (most - from.transmittance) / (depth - from.depth);
     least_slope = down > least_slope ? down : least_slope;
     greatest_slope = up < greatest_slope ? up : greatest_slope;
-    low = depth > last || least > low ? least : low;
-    high = depth > last || most < high ? most : high;
+    low = depth > last ? least : low;  // at one depth the truth falls: the first is the higher
+    high = most;
     last = depth;
   } else if (from.transmittance > most) {
     begin_line(storage, deep_shadow_vertex{depth, truth});
