@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <ostream>
 #include <string>
-#include <vector>
 
 namespace pelage::explore {
 
@@ -78,15 +77,9 @@ inline findings explore_all(const program_factory& make, std::uint64_t most, int
 
 inline std::string to_string(const world& w) {
   std::string text;
-  std::vector<int> stores(max_locations, 0);  // as many as each cell had when the step was taken
   for (const event& e : w.events()) {
     text += letter(e.way.thread);
-    if (e.what.location >= 0) {
-      int& last = stores[static_cast<std::size_t>(e.what.location)];
-      const int age = e.way.writes ? 0 : last - e.way.store;
-      text += age > 0 ? std::to_string(age) : "";
-      last += e.way.writes ? 1 : 0;
-    }
+    text += e.way.age > 0 ? std::to_string(e.way.age) : "";
   }
   return text;
 }

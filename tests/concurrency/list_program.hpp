@@ -144,6 +144,7 @@ void list_program<Algorithm, Storage>::insert_all(std::size_t t) {
     returned_[t] += entered ? 0u : 1u;
     completed();
   }
+  storage_.done();
 }
 
 template <class Algorithm, class Storage>
@@ -198,7 +199,7 @@ void list_program<Algorithm, Storage>::check_content(const walk& walked) {
   const std::uint32_t capacity = storage_.node_capacity();
   if (work_.limit == ordered_list::unlimited()) {
     expect(held.size() == std::min<std::size_t>(all.size(), capacity), "a node of the pool is left while one comes back");
-    expect(storage_.refused() == back, "the count of refused fragments is wrong");
+    expect(storage_.load_refused() == back, "the count of refused fragments is wrong");
   } else {
     for (std::size_t i = 0; i < std::min<std::size_t>(work_.limit, all.size()); ++i) {
       expect(i < held.size() && same(held[i], all[i]), "one of the `limit` nearest is missing");

@@ -43,6 +43,7 @@ struct action {
   bool total;             ///< takes a place in the order of all seq_cst operations
   std::int16_t location;  ///< -1 for fences and joins
   std::int32_t store;     ///< the place in the cell's modification order that is read; 0 where nothing is chosen
+  std::int32_t age;       ///< how many stores older than the latest that is
 };
 
 constexpr bool same_way(const action& a, const action& b) { return a.thread == b.thread && a.store == b.store; }

@@ -68,14 +68,18 @@ class reduction : public strategy {
   }
 
   void forget();
-  void order_with_writes(int cell, const action& way, const clock& past, clock& mine, bool fresh);
-  void reverse(std::uint32_t earlier, const action& later, const clock& later_past);
+  /// The steps that come directly before one, by what it reads and by the orders that it takes a place in; -1: none.
+  using sources = std::array<std::int32_t, 3>;
+
+  void reverse_with_writes(const cell_history& cell, int thread, const sources& from);
+  void reverse(std::uint32_t earlier, int later_thread, const sources& from);
 
   bool reduce_;
   std::vector<node> nodes_;
   std::size_t used_ = 0;   ///< nodes that the present schedule shares with the last one, the changed one included
   std::size_t depth_ = 0;  ///< steps of the present schedule
   std::vector<action> child_asleep_;
+  std::vector<std::uint32_t> between_;  ///< of reverse(): the steps that need not come after the earlier one
 
   std::vector<footprint> steps_;
   std::array<clock, max_threads> threads_{};
@@ -124,24 +128,28 @@ inline bool reduction::choose(std::span<const action> ways, action& chosen) {
 
 inline void reduction::performed(const event& e, const memory& cells) {
   node& n = nodes_[depth_];
-  const bool fresh = reduce_ && depth_ + 1 == used_;
-  const auto thread = index(e.way.thread);
-  const clock past = threads_[thread];
-  clock mine = past;
-  if (e.what.location >= 0) {
-    const bool failed = e.what.kind == operation_kind::compare_exchange && !e.way.writes;
-    cell_history& cell = cells_[index(e.what.location)];
-    if (e.way.writes) {
-      order_with_writes(e.what.location, e.way, past, mine, fresh);
-    } else {
-      if (failed && fresh && cell.last_write >= 0 && !before(static_cast<std::uint32_t>(cell.last_write), past)) {
-        reverse(static_cast<std::uint32_t>(cell.last_write), e.way, past);
-      }
-      const std::int32_t source = cells.stores(e.what.location)[index(e.way.store)].event;
-      if (source >= 0) {
-        join(mine, steps_[index(source)].before);
-      }
-      cell.reads.push_back(static_cast<std::uint32_t>(depth_));
+  const int thread = e.way.thread;
+  const bool at_cell = e.what.location >= 0;
+  cell_history* const cell = at_cell ? &cells_[index(e.what.location)] : nullptr;
+  cell_history* const total = e.way.total ? &cells_[total_order] : nullptr;
+  const sources from = {at_cell && e.way.writes ? cell->last_write : -1,
+                        at_cell && !e.way.writes ? cells.stores(e.what.location)[index(e.way.store)].event : -1,
+                        total != nullptr ? total->last_write : -1};
+  if (reduce_ && depth_ + 1 == used_) {
+    if (at_cell && e.way.writes) {
+      reverse_with_writes(*cell, thread, from);
+    } else if (at_cell && e.what.kind == operation_kind::compare_exchange && cell->last_write >= 0) {
+      reverse(static_cast<std::uint32_t>(cell->last_write), thread, from);
+    }
+    if (total != nullptr) {
+      reverse_with_writes(*total, thread, from);
+    }
+  }
+
+  clock& mine = threads_[index(thread)];
+  for (const std::int32_t source : from) {
+    if (source >= 0) {
+      join(mine, steps_[index(source)].before);
     }
   }
   if (e.what.kind == operation_kind::join) {
@@ -149,78 +157,72 @@ inline void reduction::performed(const event& e, const memory& cells) {
       join(mine, other);
     }
   }
-  if (e.way.total) {
-    order_with_writes(total_order, e.way, past, mine, fresh);
+  ++mine[index(thread)];
+  steps_.push_back(footprint{e.way, mine[index(thread)], mine});
+  if (at_cell && !e.way.writes) {
+    cell->reads.push_back(static_cast<std::uint32_t>(depth_));
+  } else if (at_cell) {
+    cell->last_write = static_cast<std::int32_t>(depth_);
   }
-  ++mine[thread];
-  threads_[thread] = mine;
-  steps_.push_back(footprint{e.way, mine[thread], mine});
-  if (e.way.writes) {
-    cells_[index(e.what.location)].last_write = static_cast<std::int32_t>(depth_);
-  }
-  if (e.way.total) {
-    cells_[total_order].last_write = static_cast<std::int32_t>(depth_);
+  if (total != nullptr) {
+    total->last_write = static_cast<std::int32_t>(depth_);
   }
   ++depth_;
   if (depth_ == used_) {
     child_asleep_.clear();
     for (const action& a : n.asleep) {
-      if (a.thread != e.way.thread && independent(a, e.way)) {
+      if (a.thread != thread && independent(a, e.way)) {
         child_asleep_.push_back(a);
       }
     }
   }
 }
 
-inline void reduction::order_with_writes(int cell, const action& way, const clock& past, clock& mine, bool fresh) {
-  cell_history& history = cells_[index(cell)];
-  const bool has_write = history.last_write >= 0;
-  const auto last = static_cast<std::uint32_t>(history.last_write);
-  if (fresh) {
-    if (has_write && !before(last, past)) {
-      reverse(last, way, past);
-    }
-    for (const std::uint32_t read : history.reads) {
-      const bool by_way_of_the_write = has_write && before(read, steps_[last].before);
-      if (!before(read, past) && !by_way_of_the_write) {
-        reverse(read, way, past);
-      }
+inline void reduction::reverse_with_writes(const cell_history& cell, int thread, const sources& from) {
+  for (const std::uint32_t read : cell.reads) {
+    const bool by_way_of_a_write =
+        cell.last_write >= 0 && before(read, steps_[index(cell.last_write)].before);
+    if (!by_way_of_a_write) {
+      reverse(read, thread, from);
     }
   }
-  if (has_write) {
-    join(mine, steps_[last].before);
+  if (cell.last_write >= 0) {
+    reverse(static_cast<std::uint32_t>(cell.last_write), thread, from);
   }
 }
 
-/// Has some thread tried in place of step `earlier`, such that `later` can come before it.
-inline void reduction::reverse(std::uint32_t earlier, const action& later, const clock& later_past) {
-  std::array<std::uint32_t, 512> between;
-  std::size_t count = 0;
+/// Unless the step of `later_thread` at hand must come after step `earlier`: has some thread tried in place of the
+/// earlier one, such that the later one can come before it.
+inline void reduction::reverse(std::uint32_t earlier, int later_thread, const sources& from) {
+  if (before(earlier, threads_[index(later_thread)])) {
+    return;
+  }
+  // What the later step still comes after, once it need not come after the earlier one.
+  clock past = threads_[index(later_thread)];
+  for (const std::int32_t source : from) {
+    if (source >= 0 && !before(earlier, steps_[index(source)].before)) {
+      join(past, steps_[index(source)].before);
+    }
+  }
+  between_.clear();
   std::uint32_t met = 0;
   std::uint32_t first = 0;
-  const auto none_before = [&](const clock& c) {
-    return std::none_of(between.begin(), between.begin() + static_cast<std::ptrdiff_t>(count),
-                        [&](std::uint32_t step) { return before(step, c); });
+  const auto can_be_first = [&](int thread, const clock& c) {
+    return (met & bit(thread)) == 0 &&
+           std::none_of(between_.begin(), between_.end(), [&](std::uint32_t step) { return before(step, c); });
   };
   for (std::uint32_t k = earlier + 1; k < steps_.size(); ++k) {
-    if (before(earlier, steps_[k].before)) {
-      continue;
-    }
-    const int thread = steps_[k].way.thread;
-    if ((met & bit(thread)) == 0 && none_before(steps_[k].before)) {
-      first |= bit(thread);
-    }
-    met |= bit(thread);
-    if (count < between.size()) {
-      between[count++] = k;
+    if (!before(earlier, steps_[k].before)) {
+      const int thread = steps_[k].way.thread;
+      first |= can_be_first(thread, steps_[k].before) ? bit(thread) : 0u;
+      met |= bit(thread);
+      between_.push_back(k);
     }
   }
-  if ((met & bit(later.thread)) == 0 && none_before(later_past)) {
-    first |= bit(later.thread);
-  }
+  first |= can_be_first(later_thread, past) ? bit(later_thread) : 0u;
   node& n = nodes_[earlier];
   if ((n.threads & first) == 0) {
-    n.threads |= (first & bit(later.thread)) != 0 ? bit(later.thread) : first & (~first + 1);
+    n.threads |= (first & bit(later_thread)) != 0 ? bit(later_thread) : first & (~first + 1);
   }
 }
 

@@ -69,7 +69,13 @@ class watched_lists {
     return t * share_ + own_taken_[t]++;
   }
   void add_refused(std::memory_order order) { refused_.fetch_add(1u, order); }
-  [[nodiscard]] std::uint32_t refused() const { return refused_.load(); }
+
+  void store_taken(std::uint32_t count) { taken_.store(count, std::memory_order_relaxed); }
+  void store_refused(std::uint32_t count) { refused_.store(count, std::memory_order_relaxed); }
+  [[nodiscard]] std::uint32_t load_refused() const { return refused_.load(std::memory_order_relaxed); }
+
+  /// A thread has done all its inserts.
+  void done() {}
 
   /// What stands between the last insert and a reader of the second phase.
   void wait_for_others() { join_others(); }
