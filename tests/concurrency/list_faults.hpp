@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "concurrency/list_program.hpp"
+#include "concurrency/watched_barrier.hpp"
 #include "concurrency/watched_lists.hpp"
 
 #include <cstdint>
@@ -20,7 +21,7 @@ constexpr order relaxed = std::memory_order_relaxed;
 struct aware : watched_lists {
   aware(pool kind, std::uint32_t capacity, std::uint32_t threads)
       : watched_lists(kind, capacity, threads), inserters(static_cast<int>(threads)) {}
-  [[nodiscard]] bool inserting() const { return world::current().thread() < inserters; }
+  [[nodiscard]] bool inserting() const { return world::current().thread() >= 0 && world::current().thread() < inserters; }
   int inserters;
 };
 
@@ -202,23 +203,13 @@ struct unlinked : aware {
   void store_link(std::uint32_t, std::uint32_t, order) {}
 };
 
-/// The barrier between the phases as an arrival counter, with these orders; relaxed on a side is a fault, and so is
-/// not to wait.
-template <order Arrive, order Wait, bool Waits = true>
+/// A barrier between the phases, in place of a join.
+template <class Barrier>
 struct with_barrier : aware {
   using aware::aware;
-  void done() { arrived.fetch_add(1u, Arrive); }
-  void wait_for_others() {
-    if (Waits) {
-      arrived.await(static_cast<std::uint32_t>(inserters), Wait);
-    }
-  }
-  watched_atomic<std::uint32_t> arrived{"arrived"};
+  void done() { barrier.arrive(); }
+  void wait_for_others() { barrier.wait(inserters); }
+  Barrier barrier{"arrived"};
 };
-
-using counted_barrier = with_barrier<release, acquire>;
-using barrier_arrives_relaxed = with_barrier<relaxed, acquire>;
-using barrier_waits_relaxed = with_barrier<release, relaxed>;
-using no_barrier = with_barrier<release, acquire, false>;
 
 }  // namespace pelage::explore::list_variants

@@ -7,6 +7,7 @@
 #include "concurrency/watched_lists.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <sstream>
@@ -20,11 +21,11 @@ namespace pelage::explore {
 struct list_work {
   std::vector<std::vector<fragment>> inserts;      ///< of each inserting thread, in its order
   std::uint32_t readers = 0;                       ///< threads that walk the list meanwhile, twice each
+  bool walks = false;                              ///< each inserting thread walks the list at its end
   bool joined_reader = false;                      ///< one more thread, that walks it when the others are done
   pool nodes = pool::shared;
   std::uint32_t capacity = 0xffffffffu;            ///< of the pool; by default as many as there are inserts
   std::uint32_t limit = ordered_list::unlimited();
-  std::uint32_t first_taken = 0;
 };
 
 inline std::vector<fragment> all_of(const list_work& work) {
@@ -107,13 +108,18 @@ class list_program : public program {
   };
 
   static std::uint32_t capacity_of(const list_work& work) {
-    const auto inserts = static_cast<std::uint32_t>(all_of(work).size());
-    return std::min(work.capacity, inserts);
+    std::size_t most = 0;
+    for (const auto& some : work.inserts) {
+      most = std::max(most, some.size());
+    }
+    const std::size_t inserts = work.nodes == pool::apart ? most * work.inserts.size() : all_of(work).size();
+    return std::min(work.capacity, static_cast<std::uint32_t>(inserts));
   }
 
   void insert_all(std::size_t t);
   void read(walk& walked);
   void read_twice();
+  void check_order(const walk& walked);
   void check_content(const walk& walked);
   [[nodiscard]] bool offered(fragment f) const {
     const std::vector<fragment> all = all_of(work_);
@@ -145,6 +151,15 @@ void list_program<Algorithm, Storage>::insert_all(std::size_t t) {
     completed();
   }
   storage_.done();
+  if (work_.walks) {
+    walk own;
+    read(own);
+    for (const fragment f : work_.inserts[t]) {
+      expect(own.has(f), "a thread does not see what it inserted itself");
+    }
+    check_order(own);
+    completed();
+  }
 }
 
 template <class Algorithm, class Storage>
@@ -171,9 +186,15 @@ void list_program<Algorithm, Storage>::read_twice() {
   for (std::size_t i = 0; i < once.length; ++i) {
     expect(twice.has(once.seen[i]), "a reader loses a node that it has seen");
   }
-  for (std::size_t i = 0; i < twice.length; ++i) {
-    expect(offered(twice.seen[i]), "a reader sees a fragment that nobody inserts");
-    expect(i == 0 || before(twice.seen[i - 1], twice.seen[i]), "a reader sees a list out of order");
+  check_order(once);
+  check_order(twice);
+}
+
+template <class Algorithm, class Storage>
+void list_program<Algorithm, Storage>::check_order(const walk& walked) {
+  for (std::size_t i = 0; i < walked.length; ++i) {
+    expect(offered(walked.seen[i]), "a reader sees a fragment that nobody inserts");
+    expect(i == 0 || before(walked.seen[i - 1], walked.seen[i]), "a reader sees a list out of order");
   }
 }
 

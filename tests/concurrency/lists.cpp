@@ -3,15 +3,12 @@
 //
 // a_buffer and ordered_list under every schedule of small cases.
 #include "concurrency/list_program.hpp"
+#include "concurrency/patterns.hpp"
 #include "concurrency/report.hpp"
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <array>
-#include <map>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace {
@@ -19,101 +16,82 @@ namespace {
 using namespace pelage;
 using namespace pelage::explore;
 
-/// Six fragments for `threads` threads, by the rank that each has in the total order; the depth of rank r is
-/// depth_of[r]. Ranks of equal depth have rising ids.
-list_work six(int threads, const std::array<int, 6>& rank, const std::array<int, 6>& depth_of) {
-  list_work work;
-  work.inserts.resize(static_cast<std::size_t>(threads));
-  for (std::size_t i = 0; i < 6; ++i) {
-    const auto r = static_cast<std::size_t>(rank[i]);
-    work.inserts[i * static_cast<std::size_t>(threads) / 6].push_back(
-        fragment{static_cast<float>(depth_of[r]), static_cast<std::uint32_t>(r)});
-  }
-  return work;
-}
-
-/// Every way in which six fragments may compare, up to a renaming of the threads. What an insert does depends on its
-/// fragments through before() alone, and that is a strict total order whatever ties the depths have: so the 6!
-/// permutations of ranks, over the threads! ways to name the threads, are every depth pattern, ties included.
-std::vector<std::array<int, 6>> patterns(int threads) {
-  const std::size_t each = 6 / static_cast<std::size_t>(threads);
-  std::array<int, 6> rank = {0, 1, 2, 3, 4, 5};
-  std::vector<std::array<int, 6>> all;
-  do {
-    bool first_name = true;
-    for (std::size_t i = each; i < 6; i += each) {
-      first_name = first_name && rank[i - each] < rank[i];
-    }
-    if (first_name) {
-      all.push_back(rank);
-    }
-  } while (std::next_permutation(rank.begin(), rank.end()));
-  return all;
-}
-
-/// The ties of rank r and r + 1 differ from pattern to pattern, so that all 32 ways to tie six ranks come up, each
-/// in several permutations; the first runs without any tie, the second with nothing else.
-std::array<int, 6> depths(std::size_t pattern) {
-  const std::size_t untied = pattern == 0 ? 31u : pattern == 1 ? 0u : pattern * 5u % 32u;
-  std::array<int, 6> depth_of{};
-  for (std::size_t r = 1; r < 6; ++r) {
-    depth_of[r] = depth_of[r - 1] + ((untied >> (r - 1) & 1u) != 0u ? 1 : 0);
-  }
-  return depth_of;
-}
-
-template <class Algorithm>
-void explore_patterns(std::string_view name, int threads, pool nodes) {
-  const findings total = report(name, [&] {
-    findings sum;
-    std::size_t pattern = 0;
-    for (const auto& rank : patterns(threads)) {
-      list_work work = six(threads, rank, depths(pattern++));
-      work.nodes = nodes;
-      const findings f = explore_all(list_test<Algorithm>(work));
-      sum.schedules += f.schedules;
-      sum.pruned += f.pruned;
-      sum.longest = std::max(sum.longest, f.longest);
-      sum.longest_wait = std::max(sum.longest_wait, f.longest_wait);
-      if (!f.fault.empty()) {
-        sum.fault = f.fault;
-        sum.schedule = f.schedule;
-        break;
-      }
-    }
-    return sum;
-  });
-  CHECK_MESSAGE(total.fault.empty(), name, ": ", total.fault, " [", total.schedule, "]");
-  // Lock-free: whoever is suspended, so many steps of the others complete an insert. A search over at most five
-  // nodes and a publication, for each thread, and once more after each failure that the last completion caused.
-  CHECK(total.longest_wait <= threads * 2 * (5 + 5));
-  std::cout << "  " << patterns(threads).size() << " patterns; an insert completes within every "
-            << total.longest_wait << " steps" << std::endl;
+auto make_list(pool nodes, std::uint32_t readers, bool walks) {
+  return [=](const inserts& all) {
+    list_work work;
+    work.inserts = all;
+    work.nodes = nodes;
+    work.readers = readers;
+    work.walks = walks;
+    return list_test<ordered_inserts>(work);
+  };
 }
 
 TEST_CASE("the patterns are all permutations up to the threads' names, and every tie comes up") {
-  CHECK(patterns(3).size() == 120);
-  CHECK(patterns(2).size() == 360);
-  std::set<std::array<int, 6>> ties;
+  CHECK(patterns(3, 2).size() == 120);
+  CHECK(patterns(2, 3).size() == 360);
+  std::set<std::vector<int>> ties;
   for (std::size_t p = 0; p < 120; ++p) {
-    ties.insert(depths(p));
+    ties.insert(depths(p, 6));
   }
   CHECK(ties.size() == 32);
 }
 
-TEST_CASE("ordered_list: 3 threads with 2 inserts each end sorted and complete under every schedule") {
-  explore_patterns<ordered_inserts>("ordered_list 3x2", 3, pool::apart);
+TEST_CASE("ordered_list: 3 threads with 2 inserts each end sorted and complete, and some insert always completes") {
+  const findings f = explore_patterns("ordered_list 3x2", 3, 2, make_list(pool::apart, 0, false));
+  // Each thread passes at most five nodes and needs two steps at each place it stops; a completed insert sends each
+  // of the others back at most once.
+  CHECK(f.longest_wait <= 3 * (5 + 2 * 2));
 }
 
-TEST_CASE("ordered_list: 2 threads with 3 inserts each end sorted and complete under every schedule") {
-  explore_patterns<ordered_inserts>("ordered_list 2x3", 2, pool::shared);
+TEST_CASE("ordered_list: 2 threads with 3 inserts each end sorted and complete, and some insert always completes") {
+  const findings f = explore_patterns("ordered_list 2x3", 2, 3, make_list(pool::shared, 0, false));
+  CHECK(f.longest_wait <= 2 * (5 + 2 * 2 + 2));
 }
 
-TEST_CASE("a_buffer: 3 threads with 2 pushes each keep every fragment under every schedule") {
-  list_work work = six(3, {0, 1, 2, 3, 4, 5}, {0, 0, 1, 1, 2, 2});
-  work.joined_reader = true;
-  work.nodes = pool::apart;
-  expect_sound("a_buffer 3x2, joined reader", list_test<unordered_inserts>(work));
+TEST_CASE("ordered_list: a reader that walks meanwhile sees a sorted list of whole nodes, and never less again") {
+  explore_patterns("ordered_list 2x2 and a reader", 2, 2, make_list(pool::apart, 1, false));
+}
+
+TEST_CASE("ordered_list: a thread that walks after its inserts sees them all") {
+  explore_patterns("ordered_list 2x2, each walks", 2, 2, make_list(pool::apart, 0, true));
+  explore_patterns("ordered_list 3x1, each walks", 3, 1, make_list(pool::shared, 0, true));
+}
+
+TEST_CASE("ordered_list: with a limit, the nearest are there whatever came back") {
+  for (const std::uint32_t limit : {1u, 2u}) {
+    explore_patterns("ordered_list 2x2, limit " + std::to_string(limit), 2, 2, [limit](const inserts& all) {
+      list_work work;
+      work.inserts = all;
+      work.limit = limit;
+      return list_test<ordered_inserts>(work);
+    });
+  }
+}
+
+TEST_CASE("ordered_list: a pool that is too small keeps the list whole and gives back the rest") {
+  for (const std::uint32_t capacity : {0u, 1u, 3u}) {
+    explore_patterns("ordered_list 2x2, pool of " + std::to_string(capacity), 2, 2, [capacity](const inserts& all) {
+      list_work work;
+      work.inserts = all;
+      work.capacity = capacity;
+      return list_test<ordered_inserts>(work);
+    });
+  }
+}
+
+TEST_CASE("a_buffer: every fragment is there for a reader behind the barrier") {
+  const auto make = [](pool nodes) {
+    return [nodes](const inserts& all) {
+      list_work work;
+      work.inserts = all;
+      work.nodes = nodes;
+      work.joined_reader = true;
+      return list_test<unordered_inserts>(work);
+    };
+  };
+  explore_patterns("a_buffer 3x2", 3, 2, make(pool::apart));
+  explore_patterns("a_buffer 2x3", 2, 3, make(pool::shared));
 }
 
 }  // namespace
