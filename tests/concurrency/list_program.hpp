@@ -4,6 +4,7 @@
 #include <pelage/order/a_buffer.hpp>
 #include <pelage/order/ordered_list.hpp>
 
+#include "concurrency/inserts.hpp"
 #include "concurrency/watched_lists.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace pelage::explore {
 
 /// What the threads of a list's test do.
 struct list_work {
-  std::vector<std::vector<fragment>> inserts;      ///< of each inserting thread, in its order
+  explore::inserts inserts;                         ///< of each inserting thread, in its order
   std::uint32_t readers = 0;                       ///< threads that walk the list meanwhile, twice each
   bool walks = false;                              ///< each inserting thread walks the list at its end
   bool joined_reader = false;                      ///< one more thread, that walks it when the others are done

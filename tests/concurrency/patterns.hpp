@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/core/fragment.hpp>
 
+#include "concurrency/inserts.hpp"
 #include "concurrency/report.hpp"
 
 #include <algorithm>
@@ -14,9 +15,6 @@
 #include <vector>
 
 namespace pelage::explore {
-
-/// What each of some threads inserts, in its order.
-using inserts = std::vector<std::vector<fragment>>;
 
 /// Every way in which a few fragments may compare, up to a renaming of the threads: each thread's ranks in the total
 /// order, one thread after the other.

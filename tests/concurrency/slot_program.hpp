@@ -4,7 +4,7 @@
 #include <pelage/order/atomic_k_buffer.hpp>
 #include <pelage/order/two_pass_k_buffer.hpp>
 
-#include "concurrency/patterns.hpp"
+#include "concurrency/inserts.hpp"
 #include "concurrency/watched_barrier.hpp"
 #include "concurrency/watched_slots.hpp"
 

@@ -4,6 +4,7 @@
 // atomic_k_buffer and two_pass_k_buffer under every schedule of small cases, and with faults planted.
 #include "concurrency/slot_program.hpp"
 
+#include "concurrency/patterns.hpp"
 #include "concurrency/report.hpp"
 
 #include <doctest/doctest.h>
