@@ -88,7 +88,7 @@ inline bool is_k_nearest(const outcome& seen, const std::vector<fragment>& offer
     expected_back.push_back(bits(all[i]));
   }
   for (const fragment f : offered) {
-    if (refusable(f)) {
+    if (refusable(f) && bits(f) != bits(no_fragment())) {  // none comes back as none
       expected_back.push_back(bits(f));
     }
   }
