@@ -69,9 +69,8 @@ inline std::vector<fragment> take_fragments(input& in, std::size_t most) {
 /// What a structure may hold, in the total order, said without the library: no NaN, and not the id of none.
 inline std::vector<fragment> sorted(std::vector<fragment> all) {
   std::erase_if(all, [](fragment f) { return f.depth != f.depth || f.id == 0xffffffffu; });
-  std::sort(all.begin(), all.end(), [](fragment a, fragment b) {
-    return a.depth < b.depth || (a.depth == b.depth && a.id < b.id);
-  });
+  std::sort(all.begin(), all.end(),
+            [](fragment a, fragment b) { return a.depth < b.depth || (a.depth == b.depth && a.id < b.id); });
   return all;
 }
 

@@ -5,8 +5,8 @@
 // on all of them; medians over the rounds.
 #include "contender.hpp"
 
-#include <fmt/core.h>
 #include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <barrier>
@@ -96,7 +96,9 @@ int main(int argc, char** argv) {
   std::uint32_t inserts = 1u << 18u;
   std::vector<std::uint32_t> threads = {1u, 2u};
   app.add_option("--rounds", rounds, "rounds; medians over them")->check(CLI::Range(1, 1000))->capture_default_str();
-  app.add_option("--inserts", inserts, "fragments a run")->check(CLI::Range(1u << 10u, 1u << 24u))->capture_default_str();
+  app.add_option("--inserts", inserts, "fragments a run")
+      ->check(CLI::Range(1u << 10u, 1u << 24u))
+      ->capture_default_str();
   app.add_option("--threads", threads, "numbers of threads")->check(CLI::Range(1u, 64u))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
@@ -112,8 +114,9 @@ int main(int argc, char** argv) {
   for (const std::uint32_t k : {8u, 16u, 32u}) {
     for (const std::uint32_t times : {1u, 4u}) {
       const workload work = make_workload(inserts / (k * times), k * times);
-      right = race(fmt::format("K = {}, {} fragments a pixel", k, k * times), slot_contenders(k), work, rounds, threads)
-              && right;
+      right =
+          race(fmt::format("K = {}, {} fragments a pixel", k, k * times), slot_contenders(k), work, rounds, threads) &&
+          right;
     }
   }
   return right ? 0 : 1;

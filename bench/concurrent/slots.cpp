@@ -97,10 +97,14 @@ std::vector<std::unique_ptr<contender>> contenders_of() {
 
 std::vector<std::unique_ptr<contender>> slot_contenders(std::uint32_t k) {
   switch (k) {
-    case 8u: return contenders_of<8u>();
-    case 16u: return contenders_of<16u>();
-    case 32u: return contenders_of<32u>();
-    default: return {};
+    case 8u:
+      return contenders_of<8u>();
+    case 16u:
+      return contenders_of<16u>();
+    case 32u:
+      return contenders_of<32u>();
+    default:
+      return {};
   }
 }
 

@@ -21,12 +21,12 @@ std::array<std::uint32_t, 5> sums(const tail& t) {
 rc::Gen<tail> any_tail() {
   const auto sum = rc::gen::oneOf(rc::gen::element<std::uint32_t>(0u, 1u, 0x7fffffffu, 0x80000000u, 0xffffffffu),
                                   rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()));
-  return rc::gen::map(rc::gen::tuple(sum, sum, sum, sum, sum),
-                      [](const std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t,
-                                          std::uint32_t>& drawn) {
-                        const auto [optical, weight, red, green, blue] = drawn;
-                        return tail{optical, weight, red, green, blue};
-                      });
+  return rc::gen::map(
+      rc::gen::tuple(sum, sum, sum, sum, sum),
+      [](const std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>& drawn) {
+        const auto [optical, weight, red, green, blue] = drawn;
+        return tail{optical, weight, red, green, blue};
+      });
 }
 
 /// What two pixels hold after threads have added to the second one.

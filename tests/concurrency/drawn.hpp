@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "concurrency/inserts.hpp"
 #include "concurrency/schedule.hpp"
 #include "concurrency/structures.hpp"
-#include "concurrency/inserts.hpp"
 #include "property.hpp"
 
 #include <algorithm>
@@ -25,9 +25,9 @@ struct drawn_case {
 /// thread that runs. Shrinks by fewer fragments, fewer threads, and a schedule that is shorter and calmer.
 inline rc::Gen<drawn_case> any_case() {
   using offer = std::tuple<std::uint8_t, std::uint8_t>;  // thread, depth
-  const auto offers = rc::gen::resize(
-      8, rc::gen::container<std::vector<offer>>(rc::gen::tuple(rc::gen::element<std::uint8_t>(0, 1, 2),
-                                                               rc::gen::element<std::uint8_t>(0, 1, 2))));
+  const auto offers =
+      rc::gen::resize(8, rc::gen::container<std::vector<offer>>(rc::gen::tuple(
+                             rc::gen::element<std::uint8_t>(0, 1, 2), rc::gen::element<std::uint8_t>(0, 1, 2))));
   const auto choice = rc::gen::oneOf(rc::gen::just<std::uint8_t>(0),
                                      rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint8_t>()));
   const auto choices = rc::gen::container<std::vector<std::uint8_t>>(choice);
@@ -67,15 +67,17 @@ inline std::optional<counterexample> sample(const structure& tested) {
   std::optional<counterexample> smallest;
   rc::detail::TestParams parameters = rc::detail::configuration().testParams;
   parameters.maxSuccess *= 50;
-  rc::detail::checkTestable([&] {
-    const drawn_case made = *any_case();
-    RC_PRE(!made.work.empty());
-    const findings f = run_drawn(tested, made);
-    if (!f.fault.empty()) {
-      smallest = counterexample{made, f};  // while it shrinks, each case that fails replaces the last one
-    }
-    RC_ASSERT(f.fault.empty());
-  }, rc::detail::TestMetadata(), parameters);
+  rc::detail::checkTestable(
+      [&] {
+        const drawn_case made = *any_case();
+        RC_PRE(!made.work.empty());
+        const findings f = run_drawn(tested, made);
+        if (!f.fault.empty()) {
+          smallest = counterexample{made, f};  // while it shrinks, each case that fails replaces the last one
+        }
+        RC_ASSERT(f.fault.empty());
+      },
+      rc::detail::TestMetadata(), parameters);
   return smallest;
 }
 

@@ -56,7 +56,9 @@ class fiber {
     finish_switch(fake_stack_inside_, &outside_stack_, &outside_stack_size_);
   }
 
-  [[nodiscard]] bool finished() const { return finished_; }
+  [[nodiscard]] bool finished() const {
+    return finished_;
+  }
 
  private:
   static constexpr std::size_t stack_size = 64 * 1024;
@@ -78,8 +80,10 @@ class fiber {
     __sanitizer_finish_switch_fiber(saved, bottom, size);
   }
 #else
-  static void start_switch(void**, const void*, std::size_t) {}
-  static void finish_switch(void*, const void**, std::size_t*) {}
+  static void start_switch(void**, const void*, std::size_t) {
+  }
+  static void finish_switch(void*, const void**, std::size_t*) {
+  }
 #endif
 
   std::unique_ptr<std::byte[]> stack_;

@@ -92,8 +92,10 @@ TEST_CASE("a_buffer: each fault is found") {
   found_in_a_buffer<head_in_two_steps>("(1) the head in two steps", "a fragment is lost", small());
   found_in_a_buffer<unlinked>("(2) the own link left out", "a fragment is lost", small());
   found_in_a_buffer<with_barrier<missing_barrier>>("no barrier before the reader", "race on node", small_then_reader());
-  found_in_a_buffer<with_barrier<barrier_arriving_relaxed>>("the barrier arrives relaxed", "race on node", small_then_reader());
-  found_in_a_buffer<with_barrier<barrier_waiting_relaxed>>("the barrier waits relaxed", "race on node", small_then_reader());
+  found_in_a_buffer<with_barrier<barrier_arriving_relaxed>>("the barrier arrives relaxed", "race on node",
+                                                            small_then_reader());
+  found_in_a_buffer<with_barrier<barrier_waiting_relaxed>>("the barrier waits relaxed", "race on node",
+                                                           small_then_reader());
 }
 
 TEST_CASE("correct variants are not reported") {
@@ -107,7 +109,8 @@ TEST_CASE("correct variants are not reported") {
     work.inserts[1][0].depth = 3.0f;
     return work;
   }());
-  expect_sound("a_buffer with a counted barrier", list_test<unordered_inserts, with_barrier<sound_barrier>>(small_then_reader()));
+  expect_sound("a_buffer with a counted barrier",
+               list_test<unordered_inserts, with_barrier<sound_barrier>>(small_then_reader()));
   expect_sound("a_buffer, a pool that is full", list_test<unordered_inserts>(full_pool()));
 }
 

@@ -21,7 +21,9 @@ constexpr order relaxed = std::memory_order_relaxed;
 struct aware : watched_lists {
   aware(pool kind, std::uint32_t capacity, std::uint32_t threads)
       : watched_lists(kind, capacity, threads), inserters(static_cast<int>(threads)) {}
-  [[nodiscard]] bool inserting() const { return world::current().thread() >= 0 && world::current().thread() < inserters; }
+  [[nodiscard]] bool inserting() const {
+    return world::current().thread() >= 0 && world::current().thread() < inserters;
+  }
   int inserters;
 };
 

@@ -20,12 +20,12 @@ namespace pelage::explore {
 
 /// What the threads of a list's test do.
 struct list_work {
-  explore::inserts inserts;                         ///< of each inserting thread, in its order
-  std::uint32_t readers = 0;                       ///< threads that walk the list meanwhile, twice each
-  bool walks = false;                              ///< each inserting thread walks the list at its end
-  bool joined_reader = false;                      ///< one more thread, that walks it when the others are done
+  explore::inserts inserts;    ///< of each inserting thread, in its order
+  std::uint32_t readers = 0;   ///< threads that walk the list meanwhile, twice each
+  bool walks = false;          ///< each inserting thread walks the list at its end
+  bool joined_reader = false;  ///< one more thread, that walks it when the others are done
   pool nodes = pool::shared;
-  std::uint32_t capacity = 0xffffffffu;            ///< of the pool; by default as many as there are inserts
+  std::uint32_t capacity = 0xffffffffu;  ///< of the pool; by default as many as there are inserts
   std::uint32_t limit = ordered_list::unlimited();
 };
 
@@ -220,7 +220,8 @@ void list_program<Algorithm, Storage>::check_content(const walk& walked) {
          "the list holds a fragment that nobody inserted, or one twice");
   const std::uint32_t capacity = storage_.node_capacity();
   if (work_.limit == ordered_list::unlimited()) {
-    expect(held.size() == std::min<std::size_t>(all.size(), capacity), "a node of the pool is left while one comes back");
+    expect(held.size() == std::min<std::size_t>(all.size(), capacity),
+           "a node of the pool is left while one comes back");
     expect(storage_.load_refused() == back, "the count of refused fragments is wrong");
   } else {
     for (std::size_t i = 0; i < std::min<std::size_t>(work_.limit, all.size()); ++i) {

@@ -44,9 +44,13 @@ result outcomes(std::vector<body> threads) {
   return all;
 }
 
-bool reached(const result& all, outcome o) { return all.outcomes.count(o) != 0; }
+bool reached(const result& all, outcome o) {
+  return all.outcomes.count(o) != 0;
+}
 
-bool has_race(const result& all) { return all.found.fault.rfind("race on plain", 0) == 0; }
+bool has_race(const result& all) {
+  return all.found.fault.rfind("race on plain", 0) == 0;
+}
 
 TEST_CASE("a message passed by release and acquire arrives whole") {
   const auto all = outcomes({[](cells& c) {
@@ -210,9 +214,9 @@ TEST_CASE("two readers may see independent stores in different orders, but not u
     c.r[2] = c.y.load(acquire);
     c.r[3] = c.x.load(acquire);
   };
-  CHECK(reached(outcomes({[](cells& c) { c.x.store(1, release); }, [](cells& c) { c.y.store(1, release); }, weak_x,
-                          weak_y}),
-                {1, 0, 1, 0}));
+  CHECK(reached(
+      outcomes({[](cells& c) { c.x.store(1, release); }, [](cells& c) { c.y.store(1, release); }, weak_x, weak_y}),
+      {1, 0, 1, 0}));
   const body strong_x = [](cells& c) {
     c.r[0] = c.x.load(seq_cst);
     c.r[1] = c.y.load(seq_cst);
@@ -221,8 +225,8 @@ TEST_CASE("two readers may see independent stores in different orders, but not u
     c.r[2] = c.y.load(seq_cst);
     c.r[3] = c.x.load(seq_cst);
   };
-  const auto strong = outcomes(
-      {[](cells& c) { c.x.store(1, seq_cst); }, [](cells& c) { c.y.store(1, seq_cst); }, strong_x, strong_y});
+  const auto strong =
+      outcomes({[](cells& c) { c.x.store(1, seq_cst); }, [](cells& c) { c.y.store(1, seq_cst); }, strong_x, strong_y});
   CHECK_FALSE(reached(strong, {1, 0, 1, 0}));
   CHECK(strong.outcomes.size() == 15);
 }

@@ -82,9 +82,7 @@ class memory {
   void join(int thread, int finished) { threads_[index(thread)].current.join(threads_[index(finished)].current); }
 
   /// The number that stands for a thread's accesses to plain fields since its last step.
-  [[nodiscard]] std::uint16_t epoch(int thread) const {
-    return threads_[index(thread)].current.known[index(thread)];
-  }
+  [[nodiscard]] std::uint16_t epoch(int thread) const { return threads_[index(thread)].current.known[index(thread)]; }
 
   /// True if another thread's plain access at that epoch happens before this thread's next one.
   [[nodiscard]] bool knows(int thread, int other, std::uint16_t epoch) const {
@@ -166,11 +164,16 @@ inline void memory::add_ways(int thread, const operation& op, std::vector<action
 
 inline std::uint64_t memory::apply(const operation& op, std::uint64_t old) {
   switch (op.kind) {
-    case operation_kind::add: return old + op.operand;
-    case operation_kind::minimum: return std::min(old, op.operand);
-    case operation_kind::maximum: return std::max(old, op.operand);
-    case operation_kind::bit_or: return old | op.operand;
-    default: return op.operand;
+    case operation_kind::add:
+      return old + op.operand;
+    case operation_kind::minimum:
+      return std::min(old, op.operand);
+    case operation_kind::maximum:
+      return std::max(old, op.operand);
+    case operation_kind::bit_or:
+      return old | op.operand;
+    default:
+      return op.operand;
   }
 }
 
@@ -198,8 +201,8 @@ inline std::uint64_t memory::read(thread_state& t, int cell, std::size_t store, 
   return m.value;
 }
 
-inline void memory::write(thread_state& t, int cell, std::uint64_t value, std::memory_order order,
-                          std::int32_t event, const view* continued) {
+inline void memory::write(thread_state& t, int cell, std::uint64_t value, std::memory_order order, std::int32_t event,
+                          const view* continued) {
   location& l = locations_[index(cell)];
   const auto place = static_cast<std::uint16_t>(l.stores.size());
   t.current.seen[index(cell)] = place;

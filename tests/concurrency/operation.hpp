@@ -46,7 +46,9 @@ struct action {
   std::int32_t age;       ///< how many stores older than the latest that is
 };
 
-constexpr bool same_way(const action& a, const action& b) { return a.thread == b.thread && a.store == b.store; }
+constexpr bool same_way(const action& a, const action& b) {
+  return a.thread == b.thread && a.store == b.store;
+}
 
 /// True if the two, of different threads, end in the same state in either order. A load of a store that is there
 /// already does not mind a later store: it may read the old one afterwards too.
@@ -61,8 +63,7 @@ constexpr bool acquires(std::memory_order order) {
 }
 
 constexpr bool releases(std::memory_order order) {
-  return order == std::memory_order_release || order == std::memory_order_acq_rel ||
-         order == std::memory_order_seq_cst;
+  return order == std::memory_order_release || order == std::memory_order_acq_rel || order == std::memory_order_seq_cst;
 }
 
 constexpr bool is_total(const operation& op) {
@@ -75,8 +76,8 @@ constexpr bool always_writes(operation_kind kind) {
 }
 
 constexpr std::string_view name_of(operation_kind kind) {
-  constexpr std::string_view names[] = {"load",   "store",            "exchange", "add",   "minimum", "maximum",
-                                        "bit or", "compare-exchange", "fence",    "await", "join"};
+  constexpr std::string_view names[] = {
+      "load", "store", "exchange", "add", "minimum", "maximum", "bit or", "compare-exchange", "fence", "await", "join"};
   return names[static_cast<int>(kind)];
 }
 

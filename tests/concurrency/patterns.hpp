@@ -80,8 +80,8 @@ findings explore_patterns(std::string_view name, std::size_t threads, std::size_
     }
     return sum;
   });
-  std::cout << "  " << (all.size() + stride - 1) / stride << " of " << all.size() << " patterns; an operation completes within every " << total.longest_wait
-            << " steps" << std::endl;
+  std::cout << "  " << (all.size() + stride - 1) / stride << " of " << all.size()
+            << " patterns; an operation completes within every " << total.longest_wait << " steps" << std::endl;
   CHECK_MESSAGE(total.fault.empty(), name, ": ", total.fault, " [", total.schedule, "]");
   CHECK(total.all);
   return total;

@@ -45,10 +45,18 @@ class drawn_program : public program {
     for (const step& s : all_[static_cast<std::size_t>(t)]) {
       watched_atomic<unsigned>& cell = cells_[static_cast<std::size_t>(s.cell)];
       switch (s.kind) {
-        case operation_kind::load: (void)cell.load(s.order); break;
-        case operation_kind::store: cell.store(s.operand, s.order); break;
-        case operation_kind::add: cell.fetch_add(s.operand, s.order); break;
-        case operation_kind::fence: fence(s.order); break;
+        case operation_kind::load:
+          (void)cell.load(s.order);
+          break;
+        case operation_kind::store:
+          cell.store(s.operand, s.order);
+          break;
+        case operation_kind::add:
+          cell.fetch_add(s.operand, s.order);
+          break;
+        case operation_kind::fence:
+          fence(s.order);
+          break;
         default: {
           unsigned expected = s.operand;
           cell.compare_exchange_strong(expected, s.operand + 1u, s.order, std::memory_order_relaxed);
@@ -89,26 +97,26 @@ class drawn_program : public program {
 rc::Gen<step> any_step() {
   const auto kind = rc::gen::element(operation_kind::load, operation_kind::store, operation_kind::add,
                                      operation_kind::compare_exchange, operation_kind::fence);
-  return rc::gen::map(rc::gen::tuple(kind, rc::gen::inRange(0, 2), rc::gen::inRange(0, 5), rc::gen::inRange(0u, 3u)),
-                      [](const std::tuple<operation_kind, int, int, unsigned>& drawn) {
-                        const auto [kind, cell, order, operand] = drawn;
-                        constexpr std::array orders = {std::memory_order_relaxed, std::memory_order_relaxed,
-                                                       std::memory_order_acquire, std::memory_order_release,
-                                                       std::memory_order_seq_cst};
-                        std::memory_order o = orders[static_cast<std::size_t>(order)];
-                        o = kind == operation_kind::load && o == std::memory_order_release ? std::memory_order_acquire : o;
-                        o = kind == operation_kind::store && o == std::memory_order_acquire ? std::memory_order_release : o;
-                        return step{kind, cell, o, operand};
-                      });
+  return rc::gen::map(
+      rc::gen::tuple(kind, rc::gen::inRange(0, 2), rc::gen::inRange(0, 5), rc::gen::inRange(0u, 3u)),
+      [](const std::tuple<operation_kind, int, int, unsigned>& drawn) {
+        const auto [kind, cell, order, operand] = drawn;
+        constexpr std::array orders = {std::memory_order_relaxed, std::memory_order_relaxed, std::memory_order_acquire,
+                                       std::memory_order_release, std::memory_order_seq_cst};
+        std::memory_order o = orders[static_cast<std::size_t>(order)];
+        o = kind == operation_kind::load && o == std::memory_order_release ? std::memory_order_acquire : o;
+        o = kind == operation_kind::store && o == std::memory_order_acquire ? std::memory_order_release : o;
+        return step{kind, cell, o, operand};
+      });
 }
 
 rc::Gen<steps> any_program() {
   return rc::gen::mapcat(rc::gen::inRange<std::size_t>(2, 4), [](std::size_t threads) {
     const std::size_t longest = threads == 2 ? 6 : 4;
-    return rc::gen::container<steps>(
-        threads, rc::gen::mapcat(rc::gen::inRange<std::size_t>(2, longest), [](std::size_t length) {
-          return rc::gen::container<std::vector<step>>(length, any_step());
-        }));
+    return rc::gen::container<steps>(threads,
+                                     rc::gen::mapcat(rc::gen::inRange<std::size_t>(2, longest), [](std::size_t length) {
+                                       return rc::gen::container<std::vector<step>>(length, any_step());
+                                     }));
   });
 }
 
@@ -119,7 +127,9 @@ std::multiset<std::string> classes(const steps& all, Search search_all) {
   return found;
 }
 
-std::set<std::string> distinct(const std::multiset<std::string>& all) { return {all.begin(), all.end()}; }
+std::set<std::string> distinct(const std::multiset<std::string>& all) {
+  return {all.begin(), all.end()};
+}
 
 TEST_CASE("the reduced search meets every class of equivalent schedules, and each once") {
   pelage::test::holds("reduced search meets each class once", [] {

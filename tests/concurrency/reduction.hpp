@@ -180,8 +180,7 @@ inline void reduction::performed(const event& e, const memory& cells) {
 
 inline void reduction::reverse_with_writes(const cell_history& cell, int thread, const sources& from) {
   for (const std::uint32_t read : cell.reads) {
-    const bool by_way_of_a_write =
-        cell.last_write >= 0 && before(read, steps_[index(cell.last_write)].before);
+    const bool by_way_of_a_write = cell.last_write >= 0 && before(read, steps_[index(cell.last_write)].before);
     if (!by_way_of_a_write) {
       reverse(read, thread, from);
     }

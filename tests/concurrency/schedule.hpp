@@ -91,8 +91,7 @@ inline bool replay(const program_factory& make, std::string_view schedule, std::
                    int patience = default_patience) {
   world w;
   w.after_step = [&out](const world& now) {
-    out << now.events().size() << "  " << now.describe(now.events().back()) << "\n     "
-        << now.tested().draw() << '\n';
+    out << now.events().size() << "  " << now.describe(now.events().back()) << "\n     " << now.tested().draw() << '\n';
   };
   scripted choices(schedule);
   const ending end = w.run(make, choices, patience);

@@ -134,8 +134,8 @@ TEST_CASE("atomic_k_buffer holds the K nearest in order and hands the rest back,
 }
 
 TEST_CASE("atomic_k_buffer does so with a minimum by compare-exchange too, and some insert always completes") {
-  const auto f = explore_patterns("atomic_k_buffer<2> 2x2, exchanged", 2, 2,
-                                  slot_test<one_pass<2, watched_exchanged_slots>>());
+  const auto f =
+      explore_patterns("atomic_k_buffer<2> 2x2, exchanged", 2, 2, slot_test<one_pass<2, watched_exchanged_slots>>());
   // Three loads and two minima for each thread; a minimum is tried again for each time that the slot fell, at most
   // three times.
   CHECK(f.longest_wait <= 2 * (3 + 2 * 2 * 3));
@@ -192,7 +192,8 @@ TEST_CASE("two_pass_k_buffer: each fault is found") {
 TEST_CASE("correct variants of the slots are not reported") {
   expect_sound("atomic_k_buffer, all seq_cst", slot_test<one_pass<2, seq_cst_slots>>()(small));
   expect_sound("atomic_k_buffer, nothing passed over", slot_test<one_pass<2, passes_nothing_over>>()(small));
-  expect_sound("atomic_k_buffer, exchanged, and a reader", slot_test<one_pass<2, watched_exchanged_slots>>(true)(small));
+  expect_sound("atomic_k_buffer, exchanged, and a reader",
+               slot_test<one_pass<2, watched_exchanged_slots>>(true)(small));
   expect_sound("two_pass_k_buffer and a reader", slot_test<two_passes<2>>(true)(small));
 }
 

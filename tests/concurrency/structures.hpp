@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "concurrency/inserts.hpp"
 #include "concurrency/list_faults.hpp"
 #include "concurrency/list_program.hpp"
-#include "concurrency/inserts.hpp"
 #include "concurrency/slot_program.hpp"
 
 #include <array>

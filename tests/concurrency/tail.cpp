@@ -95,10 +95,9 @@ program_factory tail_test(std::vector<std::vector<tail>> parts) {
 const std::vector<std::vector<tail>> near_the_end = {{{0xfffffff0u, 0x80000000u, 0x7fffffffu, 0u, 0u}},
                                                      {{0x10u, 0x80000000u, 0x80000000u, 0u, 0u}}};
 
-const std::vector<std::vector<tail>> three_threads = {
-    {{0xfffffff0u, 0x90000000u, 0u, 0u, 0u}, {1u, 0u, 0u, 0u, 0u}},
-    {{0x8u, 0x90000000u, 0u, 0u, 0u}, {1u, 0u, 0u, 0u, 0u}},
-    {{0x7u, 0x90000000u, 0u, 0u, 0u}, {1u, 0u, 0u, 0u, 0u}}};
+const std::vector<std::vector<tail>> three_threads = {{{0xfffffff0u, 0x90000000u, 0u, 0u, 0u}, {1u, 0u, 0u, 0u, 0u}},
+                                                      {{0x8u, 0x90000000u, 0u, 0u, 0u}, {1u, 0u, 0u, 0u, 0u}},
+                                                      {{0x7u, 0x90000000u, 0u, 0u, 0u}, {1u, 0u, 0u, 0u, 0u}}};
 
 TEST_CASE("atomic_tail holds what merge() gives, saturated or not, under every schedule") {
   expect_sound("atomic_tail 2x1, end of range", tail_test<watched_words>(near_the_end));

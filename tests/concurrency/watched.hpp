@@ -16,8 +16,7 @@ namespace pelage::explore {
 /// Stands for std::atomic<T> and std::atomic_ref<T> in a program under exploration: before each operation the
 /// scheduler may let others go first, and a load may read any store that its order leaves visible.
 template <class T>
-  requires std::is_trivially_copyable_v<T> && (sizeof(T) <= 8)
-class watched_atomic {
+requires std::is_trivially_copyable_v<T> &&(sizeof(T) <= 8) class watched_atomic {
  public:
   /// `show`: how reports print a value; decimal by default.
   explicit watched_atomic(std::string_view name, T value = T{}, explore::memory::show_value show = &plainly)
@@ -26,30 +25,20 @@ class watched_atomic {
   [[nodiscard]] T load(std::memory_order order = std::memory_order_seq_cst) const {
     return typed(act(operation_kind::load, order, T{}));
   }
-  void store(T value, std::memory_order order = std::memory_order_seq_cst) {
-    act(operation_kind::store, order, value);
-  }
+  void store(T value, std::memory_order order = std::memory_order_seq_cst) { act(operation_kind::store, order, value); }
   T exchange(T value, std::memory_order order = std::memory_order_seq_cst) {
     return typed(act(operation_kind::exchange, order, value));
   }
-  T fetch_add(T value, std::memory_order order = std::memory_order_seq_cst)
-    requires std::unsigned_integral<T>
-  {
+  T fetch_add(T value, std::memory_order order = std::memory_order_seq_cst) requires std::unsigned_integral<T> {
     return typed(act(operation_kind::add, order, value));
   }
-  T fetch_or(T value, std::memory_order order = std::memory_order_seq_cst)
-    requires std::unsigned_integral<T>
-  {
+  T fetch_or(T value, std::memory_order order = std::memory_order_seq_cst) requires std::unsigned_integral<T> {
     return typed(act(operation_kind::bit_or, order, value));
   }
-  T fetch_min(T value, std::memory_order order = std::memory_order_seq_cst)
-    requires std::unsigned_integral<T>
-  {
+  T fetch_min(T value, std::memory_order order = std::memory_order_seq_cst) requires std::unsigned_integral<T> {
     return typed(act(operation_kind::minimum, order, value));
   }
-  T fetch_max(T value, std::memory_order order = std::memory_order_seq_cst)
-    requires std::unsigned_integral<T>
-  {
+  T fetch_max(T value, std::memory_order order = std::memory_order_seq_cst) requires std::unsigned_integral<T> {
     return typed(act(operation_kind::maximum, order, value));
   }
 

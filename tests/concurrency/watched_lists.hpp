@@ -19,7 +19,9 @@ enum class pool : std::uint8_t {
            ///< it spares the orders in which threads could have asked the counter
 };
 
-inline std::string show_link(std::uint64_t link) { return link == no_node() ? "-" : '#' + std::to_string(link); }
+inline std::string show_link(std::uint64_t link) {
+  return link == no_node() ? "-" : '#' + std::to_string(link);
+}
 
 /// list_storage of watched cells: one list, as many nodes as threads may ask for.
 class watched_lists {

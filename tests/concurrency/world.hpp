@@ -138,10 +138,14 @@ inline void expect(bool condition, std::string_view claim) {
 }
 
 /// Tells the explorer that an operation of this thread is complete: what its test of progress counts.
-inline void completed() { world::current().completed(); }
+inline void completed() {
+  world::current().completed();
+}
 
 /// The letter by which schedules and reports call a thread.
-constexpr char letter(int thread) { return static_cast<char>('a' + thread); }
+constexpr char letter(int thread) {
+  return static_cast<char>('a' + thread);
+}
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -243,11 +247,14 @@ inline std::string world::describe(const event& e) const {
   const std::string operand = memory_.show(e.what.location, e.what.operand);
   switch (e.what.kind) {
     case operation_kind::load:
-    case operation_kind::await: return text + ": " + read;
-    case operation_kind::store: return text + ": " + operand;
+    case operation_kind::await:
+      return text + ": " + read;
+    case operation_kind::store:
+      return text + ": " + operand;
     case operation_kind::compare_exchange:
       return text + ": " + (e.way.writes ? read + " becomes " + operand : "fails, finds " + read);
-    default: return text + ": finds " + read + ", operand " + operand;
+    default:
+      return text + ": finds " + read + ", operand " + operand;
   }
 }
 

@@ -15,18 +15,20 @@
 namespace pelage {
 
 /// The words of a pixel in atomic_tail: the five sums of a tail, and one bit a sum that went beyond 2^32.
-[[nodiscard]] constexpr std::uint32_t tail_words() noexcept { return 6u; }
+[[nodiscard]] constexpr std::uint32_t tail_words() noexcept {
+  return 6u;
+}
 
 /// Where atomic_tail lives: 32-bit cells. add_word() adds modulo 2^32 and returns what the cell held before;
 /// or_word() sets bits.
 template <class Storage>
-concept tail_storage =
-    requires(Storage& s, const Storage& c, std::uint32_t n, std::uint32_t value, std::memory_order order) {
-      { c.word_count() } -> std::same_as<std::uint32_t>;
-      { c.load_word(n, order) } -> std::same_as<std::uint32_t>;
-      { s.add_word(n, value, order) } -> std::same_as<std::uint32_t>;
-      { s.or_word(n, value, order) } -> std::same_as<void>;
-    };
+concept tail_storage = requires(Storage& s, const Storage& c, std::uint32_t n, std::uint32_t value,
+                                std::memory_order order) {
+  { c.word_count() } -> std::same_as<std::uint32_t>;
+  { c.load_word(n, order) } -> std::same_as<std::uint32_t>;
+  { s.add_word(n, value, order) } -> std::same_as<std::uint32_t>;
+  { s.or_word(n, value, order) } -> std::same_as<void>;
+};
 
 /// tail_storage over the caller's memory, atomic through std::atomic_ref. 24 bytes a pixel.
 struct atomic_tail_storage {

@@ -15,23 +15,23 @@ namespace pelage {
 /// the same algorithm runs on std::atomic_ref, on a shader's buffer and on cells that a concurrency test watches.
 /// min_slot() leaves the smaller of a cell and a value in the cell, and returns what the cell held before.
 template <class Storage>
-concept slot_storage =
-    requires(Storage& s, const Storage& c, std::uint32_t n, std::uint64_t value, std::memory_order order) {
-      { c.slot_count() } -> std::same_as<std::uint32_t>;
-      { c.load_slot(n, order) } -> std::same_as<std::uint64_t>;
-      { s.min_slot(n, value, order) } -> std::same_as<std::uint64_t>;
-    };
+concept slot_storage = requires(Storage& s, const Storage& c, std::uint32_t n, std::uint64_t value,
+                                std::memory_order order) {
+  { c.slot_count() } -> std::same_as<std::uint32_t>;
+  { c.load_slot(n, order) } -> std::same_as<std::uint64_t>;
+  { s.min_slot(n, value, order) } -> std::same_as<std::uint64_t>;
+};
 
 /// Where the slots of two_pass_k_buffer live: a 32-bit depth and a 32-bit id each, otherwise as slot_storage.
 template <class Storage>
-concept split_slot_storage =
-    requires(Storage& s, const Storage& c, std::uint32_t n, std::uint32_t value, std::memory_order order) {
-      { c.slot_count() } -> std::same_as<std::uint32_t>;
-      { c.load_depth(n, order) } -> std::same_as<std::uint32_t>;
-      { s.min_depth(n, value, order) } -> std::same_as<std::uint32_t>;
-      { c.load_id(n, order) } -> std::same_as<std::uint32_t>;
-      { s.min_id(n, value, order) } -> std::same_as<std::uint32_t>;
-    };
+concept split_slot_storage = requires(Storage& s, const Storage& c, std::uint32_t n, std::uint32_t value,
+                                      std::memory_order order) {
+  { c.slot_count() } -> std::same_as<std::uint32_t>;
+  { c.load_depth(n, order) } -> std::same_as<std::uint32_t>;
+  { s.min_depth(n, value, order) } -> std::same_as<std::uint32_t>;
+  { c.load_id(n, order) } -> std::same_as<std::uint32_t>;
+  { s.min_id(n, value, order) } -> std::same_as<std::uint32_t>;
+};
 
 /// A fragment as a number that orders as the fragment does: depth_key in the high word, id in the low one. What
 /// no_fragment() gives is above that of every fragment. For fragments that is_fragment() accepts, or no_fragment().

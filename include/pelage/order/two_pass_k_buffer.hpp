@@ -68,7 +68,7 @@ fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcep
   const std::uint32_t key = depth_key(offered.depth);
   std::uint32_t carried = offered.id;
   for (std::uint32_t i = 0u; i < K && carried != no_fragment().id; ++i) {
-    if (storage.load_depth(first + i, std::memory_order_relaxed) == key) {                    // (3)
+    if (storage.load_depth(first + i, std::memory_order_relaxed) == key) {                       // (3)
       const std::uint32_t held = storage.min_id(first + i, carried, std::memory_order_relaxed);  // (4)
       carried = std::max(held, carried);
     }
