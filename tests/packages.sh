@@ -5,7 +5,8 @@
 # shellcheck shell=bash disable=SC2034
 pelage_frame_packages=(g++ cmake ninja-build libglm-dev libcli11-dev libfmt-dev nlohmann-json3-dev libstb-dev
   libtbb-dev)
-pelage_test_packages=("${pelage_frame_packages[@]}" clang libclang-rt-14-dev doctest-dev librapidcheck-dev python3
+pelage_test_packages=("${pelage_frame_packages[@]}" clang libclang-rt-14-dev doctest-dev librapidcheck-dev
+  libboost-context-dev python3
   glslang-tools)
 
 # pelage_install PACKAGE...: installs those that are missing; says in one line what it cannot, and exits 2.

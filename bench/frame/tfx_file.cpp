@@ -143,7 +143,10 @@ hair_model read_tfx(input_file& file) {
   if (begin[vertex_colour] != 0) read_colours(file, model, begin[vertex_colour], points);
 
   const box b = model.bounds();
-  if (!b.empty()) model.default_thickness = glm::length(b.upper - b.lower) / 2000.0F;
+  // In double: the square of a diagonal, and for points far enough apart the diagonal itself, is no float.
+  if (!b.empty()) {
+    model.default_thickness = static_cast<float>(glm::length(glm::dvec3(b.upper) - glm::dvec3(b.lower)) / 2000.0);
+  }
   return model;
 }
 
