@@ -51,13 +51,13 @@ struct k_buffer {
 
 template <std::uint32_t K>
 constexpr k_buffer<K> k_buffer<K>::empty() noexcept {
-  k_buffer<K> buffer = k_buffer<K>{};
+  k_buffer<K> none;
   for (std::uint32_t i = 0u; i < K; ++i) {
-    buffer.slot[i] = no_fragment();
+    none.slot[i] = no_fragment();
   }
-  buffer.farthest = no_fragment();
-  buffer.farthest_slot = 0u;
-  return buffer;
+  none.farthest = no_fragment();
+  none.farthest_slot = 0u;
+  return none;
 }
 
 template <std::uint32_t K>
