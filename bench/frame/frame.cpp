@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/frame.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+
+#include "frame/bust.hpp"
+#include "frame/random.hpp"
+
+namespace pelage::frame {
+namespace {
+
+using clock = std::chrono::steady_clock;
+
+double seconds_since(clock::time_point start) { return std::chrono::duration<double>(clock::now() - start).count(); }
+
+void check(const frame_settings& s) {
+  const auto in_range = [](int n) { return n >= 1 && n <= 16384; };
+  if (!in_range(s.width) || !in_range(s.height)) throw std::invalid_argument("the picture's sides must be in [1, 16384]");
+  if (s.map_size != 0 && !in_range(s.map_size)) throw std::invalid_argument("the map's side must be in [1, 16384]");
+  if (s.opacity > 1.0F || std::isnan(s.opacity)) throw std::invalid_argument("alpha must be in [0, 1]");
+  if (!(s.fibre_radius < INFINITY)) throw std::invalid_argument("the fibre's radius must be finite");
+}
+
+/// Every segment's number, in an order that depends on the seed alone.
+std::vector<std::uint32_t> drawing_order(std::uint32_t segments, std::uint64_t seed) {
+  if (seed == 0) return {};
+  std::vector<std::uint32_t> order(segments);
+  std::iota(order.begin(), order.end(), 0U);
+  random_stream random(seed, 0);
+  for (std::uint32_t i = segments; i > 1; --i) std::swap(order[i - 1], order[random.next() % i]);
+  return order;
+}
+
+sphere sphere_round(const box& bounds) {
+  if (bounds.empty()) return {glm::vec3(0.0F), 1.0F};
+  const float radius = 0.5F * glm::length(bounds.upper - bounds.lower);
+  return {0.5F * (bounds.lower + bounds.upper), radius > 0.0F ? radius : 1.0F};
+}
+
+solids opaque_objects(const hair_model& model, const box& bounds, bool on_bust) {
+  solids s;
+  if (on_bust) {
+    s.parts.assign(bust.begin(), bust.end());
+    s.floor = -2.75F;
+  } else if (!bounds.empty()) {
+    if (const auto head = fit_head(model)) s.parts.push_back(*head);
+    float lowest = bounds.lower.y;
+    for (const ellipsoid& part : s.parts) lowest = std::min(lowest, part.centre.y - part.radii.y);
+    s.floor = lowest - 0.02F * (bounds.upper.y - bounds.lower.y);
+  }
+  return s;
+}
+
+/// A soft studio: a warm key from above the right shoulder, a cool rim from behind.
+std::vector<light> studio() {
+  return {parse_light("spot:1.7,2.1,2.6:1.55,1.47,1.36:75"), parse_light("directional:-1.5,1.3,-1.6:0.80,0.88,1.0")};
+}
+
+/// The camera sees the whole box of the fibres, from the front, a little from the side and from above.
+view fitted_camera(const box& bounds, const sphere& round, int width, int height) {
+  constexpr float tan_half_fov = 0.268F;  // 30 degrees
+  const glm::vec3 toward = glm::normalize(glm::vec3(0.42F, 0.16F, 1.0F));
+  const float narrow = tan_half_fov * std::min(1.0F, static_cast<float>(width) / static_cast<float>(height));
+  const glm::vec3 half = bounds.empty() ? glm::vec3(1.0F) : 0.5F * (bounds.upper - bounds.lower);
+  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0.0F, 1.0F, 0.0F), toward));
+  const glm::vec3 up = glm::cross(toward, right);
+  float distance = 1.01F * round.radius;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 sign((corner & 1) != 0 ? 1.0F : -1.0F, (corner & 2) != 0 ? 1.0F : -1.0F,
+                         (corner & 4) != 0 ? 1.0F : -1.0F);
+    const glm::vec3 c = sign * half;
+    const float aside = std::max(std::abs(glm::dot(c, right)), std::abs(glm::dot(c, up)));
+    distance = std::max(distance, 1.02F * aside / narrow + glm::dot(c, toward));
+  }
+  return perspective_view(round.centre + distance * toward, round.centre, tan_half_fov, width, height,
+                          0.01F * round.radius);
+}
+
+}  // namespace
+
+frame_result draw_frame(const hair_model& model, const frame_settings& settings,
+                        const std::function<void(const std::string&, double)>& progress) {
+  check(settings);
+  const clock::time_point start = clock::now();
+  const strands fibres = prepare_strands(model, {settings.fibre_radius, settings.opacity});
+  const box bounds = model.bounds();
+  const sphere round = sphere_round(bounds);
+  const std::vector<std::uint32_t> order = drawing_order(fibres.segment_count(), settings.shuffle);
+  const order_options options{settings.order, settings.k, order};
+
+  frame_result result;
+  scene world{fibres, opaque_objects(model, bounds, settings.on_bust), {}, round, glm::vec3(0.62F, 0.66F, 0.72F), {}};
+  const std::vector<light> lights = settings.lights.empty() ? studio() : settings.lights;
+  const int texels = settings.map_size != 0 ? settings.map_size : std::max(settings.width, settings.height);
+  const double passes = static_cast<double>(lights.size() + 1);
+
+  // A map keeps pointers to its raster and view for its depths; they live as long as the scene.
+  std::vector<std::unique_ptr<view>> views;
+  std::vector<std::unique_ptr<raster>> rasters;
+  for (const light& relative : lights) {
+    lit l{place_light(relative, round), nullptr};
+    if (has_shadows(settings.shown)) {
+      const std::string name = fmt::format("light {}", rasters.size() + 1);
+      progress(name, static_cast<double>(rasters.size()) / passes);
+      const clock::time_point pass_start = clock::now();
+      views.push_back(std::make_unique<view>(light_view(l.source, round, texels)));
+      rasters.push_back(std::make_unique<raster>(fibres, *views.back(), true));
+      l.shadow = std::make_unique<shadow_map>(*rasters.back(), world.opaque, settings.k);
+      const double prepared = seconds_since(pass_start);
+      const order_report report = run_order_pass(*rasters.back(), l.shadow->limit(), options, *l.shadow);
+      result.passes.push_back({name, prepared, report, l.shadow->bytes()});
+    }
+    world.lights.push_back(std::move(l));
+  }
+
+  progress("camera", static_cast<double>(lights.size()) / passes);
+  const clock::time_point pass_start = clock::now();
+  const view eye = fitted_camera(bounds, round, settings.width, settings.height);
+  const raster from(fibres, eye, settings.antialias);
+  const std::vector<float> limit = opaque_depths(eye, world.opaque);
+  camera_film film(from, world, settings.shown, settings.antialias);
+  const double prepared = seconds_since(pass_start);
+  const order_report report = run_order_pass(from, limit, options, film);
+  result.picture = film.picture();
+  result.passes.push_back({"camera", prepared, report, result.picture.pixels.size() * sizeof(glm::vec3)});
+  result.seconds = seconds_since(start);
+  progress("done", 1.0);
+  return result;
+}
+
+}  // namespace pelage::frame

@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "frame/hair_model.hpp"
+#include "frame/image.hpp"
+#include "frame/order_pass.hpp"
+#include "frame/shading.hpp"
+
+namespace pelage::frame {
+
+/// What to draw and how. A model and its settings determine the picture, bit for bit: neither the number of threads,
+/// nor the drawing order, nor the choice among k_buffer, a_buffer and ordered_list changes it.
+struct frame_settings {
+  int width = 640;                               ///< pixels, [1, 16384]
+  int height = 640;
+  int map_size = 0;                              ///< texels a side of each light's map; 0: the picture's larger side
+  order_method order = order_method::k_buffer;
+  std::uint32_t k = 16;                          ///< one of compiled_k
+  components shown = components::full;
+  bool antialias = true;
+  std::vector<light> lights;                     ///< relative to the scene; empty: a soft studio of two
+  float opacity = -1.0F;                         ///< of all fibres, [0, 1]; negative: the model's own
+  float fibre_radius = -1.0F;                    ///< of all fibres, length units, [0, inf); negative: the model's own
+  std::uint64_t shuffle = 0;                     ///< seed of the drawing order; 0: the model's order
+  bool on_bust = false;                          ///< the opaque object is the built-in bust, not a sphere that fits
+};
+
+/// One pass over the fibres: a light's map or the camera's picture.
+struct pass_report {
+  std::string name;
+  double prepare_seconds;  ///< projection of all points
+  order_report order;
+  std::uint64_t bytes;     ///< of the map or picture that it made
+};
+
+struct frame_result {
+  image picture;
+  std::vector<pass_report> passes;
+  double seconds = 0;  ///< all passes, without loading and saving
+};
+
+/// Draws a frame. `progress` is called between passes with their name and the share that is done, [0, 1].
+/// Throws std::invalid_argument for a setting out of range.
+[[nodiscard]] frame_result draw_frame(const hair_model& model, const frame_settings& settings,
+                                      const std::function<void(const std::string&, double)>& progress);
+
+}  // namespace pelage::frame

@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "frame/image.hpp"
+#include "frame/lights.hpp"
+#include "frame/order_pass.hpp"
+#include "frame/shadow_map.hpp"
+#include "frame/solids.hpp"
+
+namespace pelage::frame {
+
+/// Which of the framework's parts are drawn: the columns of Yu12 Fig. 10.
+enum class components {
+  single,        ///< opaque fibres, no shadows
+  shadows,       ///< opaque fibres that shadow each other
+  translucency,  ///< half-transparent fibres, no shadows
+  full           ///< both
+};
+
+[[nodiscard]] constexpr bool has_shadows(components c) { return c == components::shadows || c == components::full; }
+[[nodiscard]] constexpr bool has_translucency(components c) {
+  return c == components::translucency || c == components::full;
+}
+
+/// A placed light and, where shadows are drawn, its map.
+struct lit {
+  light source;
+  std::unique_ptr<shadow_map> shadow;
+};
+
+/// How a fibre's surface answers light: Kajiya-Kay, and a part that passes through to the other side.
+struct hair_look {
+  float diffuse = 0.55F;        ///< weight of the diffuse lobe on the hair's colour, [0, 1]
+  float specular = 0.22F;       ///< weight of the uncoloured highlight, [0, 1]
+  float exponent = 60.0F;       ///< of the highlight, [0, inf)
+  float ambient = 0.30F;        ///< share of the sky's light that reaches every fibre, [0, 1]
+};
+
+/// Everything that light meets, and what comes back to an eye.
+struct scene {
+  const strands& fibres;
+  solids opaque;
+  std::vector<lit> lights;
+  sphere bounds;       ///< of the fibres
+  glm::vec3 sky;       ///< light from all sides, linear RGB
+  hair_look look;
+
+  /// Radiance of a fibre toward `to_eye` (unit) at a place on a segment, linear RGB.
+  [[nodiscard]] glm::vec3 fibre_radiance(std::uint32_t segment, float along, const glm::vec3& to_eye) const;
+
+  /// Radiance of an opaque object where a ray hits it.
+  [[nodiscard]] glm::vec3 solid_radiance(const glm::vec3& position, const solid_hit& hit) const;
+
+  /// What a ray that misses everything sees.
+  [[nodiscard]] glm::vec3 background(const glm::vec3& direction) const;
+};
+
+/// The camera's end of the path: gathers a pixel's fibres over the opaque objects and the background.
+class camera_film final : public pixel_visitor {
+ public:
+  camera_film(const raster& from, const scene& world, components shown, bool antialias);
+
+  void expect(std::span<const std::uint32_t> fragments_per_pixel) override { (void)fragments_per_pixel; }
+  void lose(int x, int y, fragment lost, const touch& where, tail& behind) override;
+  void finish(int x, int y, std::span<const fragment> nearest, const tail& behind) override;
+
+  [[nodiscard]] const image& picture() const { return picture_; }
+
+ private:
+  [[nodiscard]] float opacity(fragment f, const touch& where) const;
+  [[nodiscard]] glm::vec3 radiance(fragment f, const touch& where, const view_ray& ray) const;
+  [[nodiscard]] glm::vec3 behind_fibres(int x, int y) const;
+
+  const raster& from_;
+  const scene& world_;
+  components shown_;
+  bool antialias_;
+  image picture_;
+};
+
+}  // namespace pelage::frame

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Pelage authors
+# SPDX-License-Identifier: MIT
+# check.sh INCLUDE_DIR COMPILER FLAG...: each public header compiles alone, and twice; all of them together may
+# stand in two translation units of one program.
+set -euo pipefail
+include=$1
+shift
+compile=("$@" -I"$include")
+
+mapfile -t headers < <(cd "$include" && find pelage -name '*.hpp' | sort)
+if ((${#headers[@]} == 0)); then
+  echo "no header under $include/pelage" >&2
+  exit 1
+fi
+
+# shellcheck disable=SC2016
+printf '%s\0' "${headers[@]}" | xargs -0 -P2 -I{} sh -c '
+  header=$1; shift
+  printf "#include <%s>\n#include <%s>\n" "$header" "$header" | "$@" -fsyntax-only -x c++ - && exit
+  echo "$header does not compile alone" >&2
+  exit 1' sh {} "${compile[@]}"
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+printf '#include <%s>\n' "${headers[@]}" >"$work/one.cpp"
+{ cat "$work/one.cpp" && echo 'int main() {}'; } >"$work/two.cpp"
+"${compile[@]}" "$work/one.cpp" "$work/two.cpp" -o "$work/both"
+echo "${#headers[@]} headers compile alone and link together"

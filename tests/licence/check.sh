@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Pelage authors
+# SPDX-License-Identifier: MIT
+# check.sh ROOT: every source file begins with the two lines of the licence, after the #! of a script.
+set -euo pipefail
+cd "$1"
+mapfile -t sources < <(find . \( -path ./.git -o -path ./build -o -path ./out \) -prune -o -type f \( \
+  -name '*.hpp' -o -name '*.cpp' -o -name '*.glsl' -o -name '*.comp' -o -name '*.vert' -o -name '*.frag' -o \
+  -name '*.py' -o -name '*.sh' -o -name '*.cmake' -o -name CMakeLists.txt -o -name run \) -print | sort)
+if ((${#sources[@]} == 0)); then
+  echo "no source under $1" >&2
+  exit 1
+fi
+
+status=0
+for source in "${sources[@]}"; do
+  if ! head -n 3 "$source" | sed -E '1{/^#!/d}; s,^(//|#) ,,' | head -n 2 | cmp -s - <(
+    echo 'Copyright (c) 2026 The Pelage authors'
+    echo 'SPDX-License-Identifier: MIT'
+  ); then
+    echo "$source does not begin with the licence" >&2
+    status=1
+  fi
+done
+((status)) || echo "${#sources[@]} sources begin with the licence"
+exit $status
