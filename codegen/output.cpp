@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
 namespace pelage::codegen {
 
@@ -275,7 +276,11 @@ std::string strings_header(const std::vector<std::pair<std::string, std::string>
                      "/// follow one another, since the guards of what they share are in them.\n"
                      "namespace pelage::glsl {\n\nnamespace detail {\n\n";
   std::string views;
-  for (const auto& [path, content] : files) {
+  std::set<std::string> joined;
+  // What a file includes is joined before it.
+  const std::function<void(const std::string&)> add = [&](const std::string& path) {
+    if (!joined.insert(path).second) return;
+    const std::string& content = texts.at(path);
     std::string own;
     for (std::size_t begin = 0; begin < content.size();) {
       const std::size_t end = content.find('\n', begin) + 1;
@@ -287,6 +292,7 @@ std::string strings_header(const std::vector<std::pair<std::string, std::string>
       }
       const std::string named = line.substr(10, line.rfind('"') - 10);
       const auto target = (std::filesystem::path(path).parent_path() / named).lexically_normal().string();
+      add(target);
       closure[path].push_back("\n" + own);
       closure[path].push_back(target);
       own.clear();
@@ -304,23 +310,16 @@ std::string strings_header(const std::vector<std::pair<std::string, std::string>
       parts += ", " + name;
     }
     views += "inline constexpr auto " + identifier(path) + " = join<" + parts.substr(2) + ">();\n";
-  }
+  };
+  for (const auto& [path, content] : files) add(path);
   text += R"(
-inline constexpr std::size_t length(const char* text) {
-  return std::char_traits<char>::length(text);
-}
-template <std::size_t N>
-constexpr std::size_t length(const std::array<char, N>&) {
-  return N - 1;
-}
-
 /// Its parts one after another, with a 0 at the end. Joined when the program is compiled.
 template <const auto&... Parts>
 constexpr auto join() {
-  std::array<char, (length(Parts) + ... + 1)> all{};
+  std::array<char, (sizeof(Parts) + ...) - sizeof...(Parts) + 1> all{};
   std::size_t end = 0;
   const auto append = [&](const auto& part) {
-    for (std::size_t i = 0; i < length(part); ++i) all[end++] = part[i];
+    for (std::size_t i = 0; i + 1 < sizeof(part); ++i) all[end++] = part[i];
   };
   (append(Parts), ...);
   return all;
