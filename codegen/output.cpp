@@ -144,33 +144,52 @@ std::string cells_text(const unit& u) {
   return text;
 }
 
-/// Declarations and documentation in the header's order, then the bodies that the header has below.
-std::string code_text(const unit& u) {
+/// Text in which what depends on no size stands between #ifndef and #endif: a second inclusion leaves it out.
+class pieces {
+ public:
+  explicit pieces(const std::string& once) : once_(once) {}
+  void add(const entity* e, const std::string& text) {
+    const bool alone = !once_.empty() && !e->sized;
+    if (alone != open_) text_ += alone ? "\n#ifndef " + once_ + "\n" : "\n#endif\n";
+    open_ = alone;
+    text_ += "\n" + text + "\n";
+  }
+  [[nodiscard]] std::string text() const { return open_ ? text_ + "\n#endif\n" : text_; }
+
+ private:
+  std::string once_;
+  std::string text_;
+  bool open_ = false;
+};
+
+/// Declarations and documentation in the header's order, then the bodies that the header has below. `once`: the macro
+/// that is defined when the file has been included before, or nothing if it never is read twice.
+std::string code_text(const unit& u, const std::string& once) {
   std::vector<const entity*> all = u.entities;
   std::sort(all.begin(), all.end(), [](auto* a, auto* b) { return a->declared_at < b->declared_at; });
-  std::string text;
+  pieces above(once);
   std::set<const entity*> declared;
-  std::vector<const entity*> below;
+  std::vector<const entity*> later;
   for (const entity* e : all) {
     declared.insert(e);
     if (!e->is_function()) {
-      text += "\n" + e->doc + e->declaration + "\n";
+      above.add(e, e->doc + e->declaration);
     } else if (e->defined_at != e->declared_at.first) {
-      text += "\n" + e->doc + e->declaration + ";\n";
-      below.push_back(e);
+      above.add(e, e->doc + e->declaration + ";");
+      later.push_back(e);
     } else {
       for (const auto& [needed, where] : e->needs) {
         if (needed->where == &u && needed->is_function() && declared.insert(needed).second) {
-          text += "\n" + needed->declaration + ";\n";
+          above.add(needed, needed->declaration + ";");
         }
       }
-      text += "\n" + e->doc + e->declaration + " " + e->body + "\n";
+      above.add(e, e->doc + e->declaration + " " + e->body);
     }
   }
-  std::sort(below.begin(), below.end(), [](auto* a, auto* b) { return a->defined_at < b->defined_at; });
-  if (!below.empty()) text += "\n" + std::string(divider);
-  for (const entity* e : below) text += "\n" + e->declaration + " " + e->body + "\n";
-  return text;
+  std::sort(later.begin(), later.end(), [](auto* a, auto* b) { return a->defined_at < b->defined_at; });
+  pieces below(once);
+  for (const entity* e : later) below.add(e, e->declaration + " " + e->body);
+  return above.text() + (later.empty() ? "" : "\n" + std::string(divider)) + below.text();
 }
 
 }  // namespace
@@ -217,7 +236,9 @@ std::string file_text(const unit& u, problems& found) {
   if (sized) text += "\n" + prefix_names(u, true);
   text += cells_text(u);
   if (!u.doc.empty()) text += "\n" + u.doc;
-  text += code_text(u);
+  const bool mixed = sized && !std::all_of(u.entities.begin(), u.entities.end(), [](auto* e) { return e->sized; });
+  text += code_text(u, mixed ? once + "_ONCE" : "");
+  if (mixed) text += "\n#define " + once + "_ONCE\n";
   if (sized) text += "\n" + prefix_names(u, false);
   return formatted(text + "\n#endif\n");
 }

@@ -1023,14 +1023,20 @@ inline constexpr char order_sorting_network_1[] = R"glsl(
 #define pelage_sort_network PELAGE_PASTE(PELAGE_PREFIX, _sort_network)
 #endif
 
+#ifndef PELAGE_ORDER_SORTING_NETWORK_GLSL_ONCE
+
 /// Puts the nearer of two fragments first. Ties as before().
 void pelage_order_pair(inout pelage_fragment a, inout pelage_fragment b);
+
+#endif
 
 /// Sorts K fragments nearest first with Batcher's odd-even merge network: the same compares whatever the data, so
 /// that a compiler can unroll it and keep every slot in a register. O(K log² K): 63 compares at K = 16, 543 at 64.
 void pelage_sort_network(inout pelage_fragment slot[PELAGE_SORT_NETWORK_K]);
 
 // ---------------------------------------------------------------------------------------------------------
+
+#ifndef PELAGE_ORDER_SORTING_NETWORK_GLSL_ONCE
 
 void pelage_order_pair(inout pelage_fragment a, inout pelage_fragment b) {
   const bool swap = pelage_before(b, a);
@@ -1039,6 +1045,8 @@ void pelage_order_pair(inout pelage_fragment a, inout pelage_fragment b) {
   a = nearer;
   b = farther;
 }
+
+#endif
 
 void pelage_sort_network(inout pelage_fragment slot[PELAGE_SORT_NETWORK_K]) {
   for (uint merged = 1u; merged < PELAGE_SORT_NETWORK_K; merged *= 2u) {
@@ -1054,6 +1062,8 @@ void pelage_sort_network(inout pelage_fragment slot[PELAGE_SORT_NETWORK_K]) {
     }
   }
 }
+
+#define PELAGE_ORDER_SORTING_NETWORK_GLSL_ONCE
 
 #ifdef PELAGE_PREFIX
 #undef pelage_sort_network
