@@ -111,8 +111,12 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
   if (f->getBuiltinID() != 0 && name.find("::") == std::string::npos) name = "std::" + name;
   const auto arg = [&](unsigned i) { return expression(c->getArg(i)); };
   const auto grouped = [&](unsigned i) {
-    const bool simple = isa<DeclRefExpr, MemberExpr, FloatingLiteral>(c->getArg(i)->IgnoreParenImpCasts());
-    return simple ? arg(i) : "(" + arg(i) + ")";
+    const std::string text = arg(i);
+    return text.find(' ') == std::string::npos && text.front() != '-' ? text : "(" + text + ")";
+  };
+  const auto typed = [&](const std::string& text) {  // an int in GLSL, and in C++ whatever the library says
+    const bool same = context_.hasSameUnqualifiedType(c->getType(), context_.IntTy);
+    return (same ? "" : type_of(c->getType(), c->getBeginLoc()).text()) + "(" + text + ")";
   };
   if (c->getNumArgs() == 0) {
     const std::string value = constant(c);
@@ -120,7 +124,7 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
   }
   const bool scalar_float = c->getNumArgs() > 0 && c->getType().getNonReferenceType()->isFloatingType();
   const std::string bare = name.substr(name.rfind(':') + 1);
-  // GLSL leaves min, max and clamp of NaN open: comparisons say what C++ does.
+  // GLSL leaves min, max and clamp of NaN open: comparisons say what std:: and glm:: do.
   if ((bare == "min" || bare == "max") && c->getNumArgs() == 2 && (scalar_float || name.rfind("std::", 0) == 0)) {
     if (!scalar_float) return bare + "(" + arg(0) + ", " + arg(1) + ")";
     const std::string a = grouped(0);
@@ -128,7 +132,23 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
     return bare == "min" ? "(" + b + " < " + a + " ? " + b + " : " + a + ")"
                          : "(" + a + " < " + b + " ? " + b + " : " + a + ")";
   }
-  if (name == "std::clamp" && c->getNumArgs() == 3) {
+  if (name == "glm::min" || name == "glm::max" || name == "glm::clamp") {
+    const std::string type = type_of(c->getType(), c->getBeginLoc()).text();
+    if (type.rfind("vec", 0) == 0) {
+      const auto part = [&](unsigned i) {
+        return c->getArg(i)->getType().getNonReferenceType()->isFloatingType() ? type + "(" + arg(i) + ")" : arg(i);
+      };
+      const auto greater = [](const std::string& a, const std::string& b) {
+        return "mix(" + a + ", " + b + ", lessThan(" + a + ", " + b + "))";
+      };
+      const auto lesser = [](const std::string& a, const std::string& b) {
+        return "mix(" + a + ", " + b + ", lessThan(" + b + ", " + a + "))";
+      };
+      if (name == "glm::min") return lesser(part(0), part(1));
+      return name == "glm::max" ? greater(part(0), part(1)) : lesser(greater(part(0), part(1)), part(2));
+    }
+  }
+  if (bare == "clamp" && c->getNumArgs() == 3) {
     if (!scalar_float) return "clamp(" + arg(0) + ", " + arg(1) + ", " + arg(2) + ")";
     const std::string x = grouped(0);
     return "(" + x + " < " + grouped(1) + " ? " + grouped(1) + " : (" + grouped(2) + " < " + x + " ? " + grouped(2) +
@@ -155,9 +175,9 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
   if (bits && context_.getTypeSize(c->getArg(0)->getType()) != 32) {
     return reject(c->getBeginLoc(), name + " of other than 32 bits");
   }
-  if (name == "std::countl_zero") return "(31 - findMSB(" + arg(0) + "))";
-  if (name == "std::bit_width") return "(findMSB(" + arg(0) + ") + 1)";
-  if (name == "std::countr_zero") return "(" + grouped(0) + " == 0u ? 32 : findLSB(" + arg(0) + "))";
+  if (name == "std::countl_zero") return typed("31 - findMSB(" + arg(0) + ")");
+  if (name == "std::bit_width") return typed("findMSB(" + arg(0) + ") + 1");
+  if (name == "std::countr_zero") return typed(grouped(0) + " == 0u ? 32 : findLSB(" + arg(0) + ")");
   if (name == "std::atomic_thread_fence") return "PELAGE_FENCE()";
   if (bare == "round") return reject(c->getBeginLoc(), "round: GLSL leaves halves open");
   const std::string same = builtin_function(name);

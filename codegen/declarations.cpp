@@ -133,7 +133,8 @@ void translator::check_alike(const entity& one, const entity& other, SourceLocat
   const auto line_at = [i](const std::string& text) {
     const std::size_t start = i == 0 ? 0 : text.rfind('\n', i - 1);
     const std::size_t first = start == std::string::npos ? 0 : start + (i == 0 ? 0 : 1);
-    return text.substr(first, text.find('\n', i) - first);
+    const std::string whole = text.substr(first, text.find('\n', i) - first);
+    return whole.substr(0, whole.find("  //"));
   };
   reject(where, "two instantiations of " + one.name + " differ, so a size or a type is lost: `" + line_at(a) +
                     "` and `" + line_at(b) + "`");
@@ -159,10 +160,14 @@ void translator::translate_function(const FunctionDecl* f) {
   if (f->isOverloadedOperator()) reject(where, "operator overload: call a function instead");
   if (isa_and_nonnull<CXXTryStmt>(definition->getBody())) reject(where, "exceptions");
   const std::string result = type_of(f->getReturnType(), where).text();
-  const std::string list = parameters(definition);
+  std::string list = parameters(definition);
   read_comments(definition->getBody());
   fresh_->body = isa<CXXTryStmt>(definition->getBody()) ? "{}" : block(definition->getBody());
-  const std::string precise = arithmetic_ ? "precise " : "";
+  // No fused multiply-add may come between the two: `precise` covers all that leads to a result.
+  const std::string precise = arithmetic_ && !f->getReturnType()->isVoidType() ? "precise " : "";
+  for (std::size_t i = list.find("inout "); arithmetic_ && i != std::string::npos; i = list.find("inout ", i + 14)) {
+    list.insert(i, "precise ");
+  }
   fresh_->declaration = precise + result + " " + fresh_->name + "(" + list + ")";
   if (in_storage_) fresh_->doc = doc_above(f->getBeginLoc());
   end(f);

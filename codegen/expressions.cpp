@@ -5,6 +5,7 @@
 
 #include <clang/Lex/Lexer.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -19,6 +20,11 @@ std::string with_point(std::string digits) {
   if (digits.find_first_of(".e") == std::string::npos) return digits + ".0";
   if (digits.back() == '.') return digits + "0";
   return digits;
+}
+
+bool has_size(const Stmt* s) {
+  if (isa<SubstNonTypeTemplateParmExpr>(s)) return true;
+  return std::any_of(s->child_begin(), s->child_end(), [](const Stmt* c) { return c != nullptr && has_size(c); });
 }
 
 std::string shortest(float value) {
@@ -82,6 +88,41 @@ std::string translator::constant(const Expr* e) {
   return {};
 }
 
+/// The value of an expression of constants as glslang computes it: in double, from the decimals. C++ rounds each step
+/// to float, so where the two differ the mirror holds the result in the expression's place.
+bool translator::fold(const Expr* e, double& value) {
+  e = e->IgnoreParenCasts();
+  if (const auto* x = dyn_cast<FloatingLiteral>(e)) {
+    value = std::strtod(literal(x).c_str(), nullptr);
+    return true;
+  }
+  if (const auto* x = dyn_cast<IntegerLiteral>(e)) {
+    value = static_cast<double>(x->getValue().getZExtValue());
+    return true;
+  }
+  if (const auto* x = dyn_cast<DeclRefExpr>(e)) {
+    const auto* v = dyn_cast<VarDecl>(x->getDecl());
+    const Expr* init = v == nullptr || !v->getType().isConstQualified() ? nullptr : v->getAnyInitializer();
+    return init != nullptr && fold(init, value);
+  }
+  if (const auto* x = dyn_cast<UnaryOperator>(e)) {
+    if (x->getOpcode() != UO_Minus || !fold(x->getSubExpr(), value)) return false;
+    value = -value;
+    return true;
+  }
+  const auto* x = dyn_cast<BinaryOperator>(e);
+  double left = 0.0;
+  double right = 0.0;
+  if (x == nullptr || !fold(x->getLHS(), left) || !fold(x->getRHS(), right)) return false;
+  switch (x->getOpcode()) {
+    case BO_Add: value = left + right; return true;
+    case BO_Sub: value = left - right; return true;
+    case BO_Mul: value = left * right; return true;
+    case BO_Div: value = left / right; return true;
+    default: return false;
+  }
+}
+
 std::string translator::expression(const Expr* e, position at) {
   std::string text;
   if (const auto* x = dyn_cast<FullExpr>(e)) return expression(x->getSubExpr(), at);
@@ -134,6 +175,11 @@ std::string translator::expression(const Expr* e, position at) {
     }
     if (x->isPtrMemOp()) return reject(x->getOperatorLoc(), "pointer to member");
     arithmetic_ = arithmetic_ || (x->getType()->isFloatingType() && !x->isComparisonOp());
+    if (x->getType()->isFloatingType() && !has_size(x)) {
+      double folded = 0.0;
+      const std::string exact = constant(x);
+      if (!exact.empty() && (!fold(x, folded) || exact != shortest(static_cast<float>(folded)))) return exact;
+    }
     return expression(x->getLHS()) + " " + x->getOpcodeStr().str() + " " + expression(x->getRHS());
   }
   return unsupported(e);
@@ -221,11 +267,11 @@ std::string translator::reference(const DeclRefExpr* r) {
     return global_name(owner) + "_" + e->getNameAsString();
   }
   const auto* v = dyn_cast<VarDecl>(d);
+  if (isa<BindingDecl>(d) || (v != nullptr && v->isStaticLocal())) return d->getNameAsString();  // told already
   if (v == nullptr) {
     return reject(r->getBeginLoc(), isa<FunctionDecl>(d) ? "function used as a value"
                                                          : "`" + d->getNameAsString() + "` is not in the subset");
   }
-  if (isa<DecompositionDecl>(d)) return reject(r->getBeginLoc(), "structured binding");
   if (is_storage_type(v->getType())) {
     return reject(r->getBeginLoc(), "storage can only be passed on whole, or called");
   }
@@ -274,15 +320,15 @@ std::string translator::initializer_list(const InitListExpr* l) {
   if (is_array(type, element, extent, l->getBeginLoc())) {
     const auto* inner = values.empty() ? nullptr : dyn_cast<InitListExpr>(values.front()->IgnoreImplicit());
     const std::string name = type_of(type, l->getBeginLoc()).text();
-    const std::size_t given = inner == nullptr ? 0 : inner->getNumInits();
-    const std::string count = extent.find_first_not_of("0123456789") == std::string::npos ? extent : "0";
-    if (std::stoul(count) > given + 16 || count == "0") {
+    const unsigned given = inner == nullptr ? 0 : inner->getNumInits();
+    const unsigned count = count_of(type, element, l->getBeginLoc());
+    if (count == 0 || count > given + 16) {
       return reject(l->getBeginLoc(), "an array of many zeros: declare it without a value and fill it in a loop");
     }
     std::string parts;
-    for (std::size_t i = 0; i < std::stoul(count); ++i) {
+    for (unsigned i = 0; i < count; ++i) {
       parts += i == 0 ? "" : ", ";
-      parts += i < given ? expression(inner->getInit(static_cast<unsigned>(i))) : zero(element, l->getBeginLoc());
+      parts += i < given ? expression(inner->getInit(i)) : zero(element, l->getBeginLoc());
     }
     return name + "(" + parts + ")";
   }

@@ -205,8 +205,9 @@ std::string file_text(const unit& u, problems& found) {
         text += "#if !(" + condition + ")\n#error " + message + "\n#endif\n";
       }
     }
+    const std::string word = u.entities.front()->name.substr(0, u.entities.front()->name.find('_'));
     text += "\n// For a second size in one shader define the size anew and PELAGE_PREFIX, a word that takes the place of\n"
-            "// `pelage` in the names, and include this file again.\n";
+            "// `" + word + "` in the names, and include this file again.\n";
     text += "#ifndef PELAGE_PREFIX\n";
     for (const auto& [macro, size] : u.sizes) {
       text += "uint[" + macro + "] " + macro + "_has_one_value_in_a_shader();\n";

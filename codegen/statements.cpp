@@ -46,9 +46,11 @@ std::string translator::statement(const Stmt* s) {
   if (const auto* i = dyn_cast<IfStmt>(s)) {
     if (i->hasInitStorage() || i->hasVarStorage()) return reject(s->getBeginLoc(), "declaration inside `if`");
     if (i->isConstexpr()) {
-      const std::set<std::string> sizes = fresh_->sizes;
-      const std::string condition = expression(i->getCond());
-      if (fresh_->sizes != sizes || condition.find("PELAGE_") != std::string::npos) {
+      std::set<std::string> sizes;
+      fresh_->sizes.swap(sizes);
+      (void)expression(i->getCond());
+      fresh_->sizes.swap(sizes);
+      if (!sizes.empty()) {
         return reject(s->getBeginLoc(), "`if constexpr` over a size: the size is lost, use a plain `if`");
       }
       bool taken = false;
@@ -107,6 +109,7 @@ std::string translator::effect(const Expr* e) {
     return {};
   }
   if (isa<CallExpr>(e)) return expression(e, position::whole);
+  if (isa<CXXThrowExpr>(e) || isa<CXXDeleteExpr>(e)) return unsupported(e);
   return reject(e->getBeginLoc(), "statement without effect");
 }
 
@@ -142,10 +145,12 @@ std::string translator::range_loop(const CXXForRangeStmt* s) {
   if (v->getType()->isReferenceType() && !v->getType().getNonReferenceType().isConstQualified()) {
     renamed_[v] = item;
   } else {
-    first = type_of(v->getType(), v->getLocation()).declare(name) + " = " + item + ";\n";
+    const bool constant = v->getType().isConstQualified();
+    first = (constant ? "const " : "") + type_of(v->getType(), v->getLocation()).declare(name) + " = " + item + ";\n";
   }
-  std::string body = block(s->getBody());
-  return "for (int " + index + " = 0; " + index + " < " + extent + "; ++" + index + ") {\n" + first + body.substr(1);
+  std::string body = block(s->getBody()).substr(1);
+  if (body.front() == '\n') body.erase(0, 1);
+  return "for (int " + index + " = 0; " + index + " < " + extent + "; ++" + index + ") {\n" + first + body;
 }
 
 std::string translator::switch_statement(const SwitchStmt* s) {
@@ -159,11 +164,13 @@ std::string translator::switch_statement(const SwitchStmt* s) {
       text += comments_before(offset(label->getBeginLoc()), last_line);
       if (const auto* c = dyn_cast<CaseStmt>(label)) {
         if (c->caseStmtIsGNURange()) return reject(c->getBeginLoc(), "range of cases");
-        text += "case " + expression(c->getLHS()) + ":\n";
+        text += "case " + expression(c->getLHS()) + ":";
       } else {
-        text += "default:\n";
+        text += "default:";
       }
       one = label->getSubStmt();
+      const bool alone = line(one->getBeginLoc()) > line(label->getColonLoc());
+      text += (alone ? comment_beside(label->getColonLoc()) : "") + "\n";
     }
     text += statement(one) + comment_beside(one->getEndLoc()) + "\n";
   }

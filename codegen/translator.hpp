@@ -78,13 +78,18 @@ class translator {
   static const clang::Expr* without_conversions(const clang::Expr* e);
   std::string size_expression(const clang::Expr* e);
   std::string scalar_type(clang::QualType t, clang::SourceLocation where);
+  unsigned count_of(clang::QualType array, clang::QualType& element, clang::SourceLocation where);
   std::string zero(clang::QualType t, clang::SourceLocation where);
   bool is_array(clang::QualType t, clang::QualType& element, std::string& extent, clang::SourceLocation where);
 
   // sizes.cpp
   std::string size_name(const clang::NonTypeTemplateParmDecl* p, clang::SourceLocation where);
   void set_templates(const clang::Decl* d);
+  void find_aliases(const clang::FunctionDecl* f);
+  void bind_size(const clang::TemplateDecl* of, unsigned index, const clang::TemplateArgument& value,
+                 const clang::TemplateArgument* written);
   void bind_sizes(const clang::FunctionDecl* callee, const clang::Expr* call);
+  void bind_sizes(clang::QualType t);
   void note_sizes(const clang::NamedDecl* owner, const clang::TemplateDecl* pattern,
                   const clang::TemplateArgumentList& arguments);
   void record_conditions(const clang::CXXRecordDecl* r, unit& u);
@@ -98,6 +103,7 @@ class translator {
   std::string member(const clang::MemberExpr* m);
   std::string initializer_list(const clang::InitListExpr* l);
   std::string constant(const clang::Expr* e);
+  bool fold(const clang::Expr* e, double& value);
   std::string unsupported(const clang::Expr* e);
   std::string reject(clang::SourceLocation where, const std::string& reason);
 
@@ -158,6 +164,7 @@ class translator {
   std::unique_ptr<entity> fresh_;
   std::vector<const clang::TemplateDecl*> templates_;  ///< enclosing ones, outermost first
   std::vector<std::pair<std::string, llvm::APSInt>> size_values_;
+  std::map<std::string, std::string> aliases_;  ///< sizes of a function that are a parameter's sizes
   bool in_storage_ = false;
   bool arithmetic_ = false;  ///< floating-point arithmetic seen
   std::set<std::string> locals_;

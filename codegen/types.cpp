@@ -171,8 +171,20 @@ glsl_type translator::type_of(QualType t, SourceLocation where) {
   }
   require_record(record);
   need(record, where);
+  bind_sizes(t);
   result.name = global_name(record);
   return result;
+}
+
+/// How many elements a std::array has, 0 if that is for a macro to say.
+unsigned translator::count_of(QualType array, QualType& element, SourceLocation where) {
+  std::string extent;
+  std::set<std::string> sizes;
+  if (fresh_) fresh_->sizes.swap(sizes);
+  (void)is_array(array, element, extent, where);
+  if (fresh_) fresh_->sizes.swap(sizes);
+  const auto* known = cast<ClassTemplateSpecializationDecl>(array->getAsCXXRecordDecl());
+  return sizes.empty() ? static_cast<unsigned>(known->getTemplateArgs()[1].getAsIntegral().getZExtValue()) : 0;
 }
 
 /// T{} for what has a fixed number of parts.
@@ -180,14 +192,13 @@ std::string translator::zero(QualType t, SourceLocation where) {
   const glsl_type type = type_of(t, where);
   if (!type.extents.empty()) {
     QualType element;
-    std::string extent;
-    (void)is_array(t.getUnqualifiedType(), element, extent, where);
-    if (extent.find_first_not_of("0123456789") != std::string::npos || std::stoi(extent) > 16) {
-      return reject(where, "an array of " + extent + " zeros: declare it without a value and fill it in a loop");
+    const unsigned count = count_of(t.getUnqualifiedType(), element, where);
+    if (count == 0 || count > 16) {
+      return reject(where, "an array of many zeros: declare it without a value and fill it in a loop");
     }
-    std::string parts = zero(element, where);
-    const std::string one = parts;
-    for (int i = 1; i < std::stoi(extent); ++i) parts += ", " + one;
+    const std::string one = zero(element, where);
+    std::string parts = one;
+    for (unsigned i = 1; i < count; ++i) parts += ", " + one;
     return type.text() + "(" + parts + ")";
   }
   const auto* record = t->getAsCXXRecordDecl();
