@@ -11,11 +11,10 @@ namespace pelage::frame {
 
 /// The opaque body under the built-in hair, a union of ellipsoids: y is up, the face looks along +z, the head
 /// is centred at the origin, chin near y = -1 and crown near y = +1 (one unit is about 11.5 cm).
-inline constexpr int bust_parts = 5;
+inline constexpr int bust_parts = 4;
 inline constexpr std::array<ellipsoid, bust_parts> bust{{
     {{0.00F, 0.22F, -0.06F}, {0.70F, 0.78F, 0.86F}},   // cranium, which bears the hair
     {{0.00F, -0.06F, 0.10F}, {0.60F, 0.94F, 0.68F}},   // face
-    {{0.00F, -0.19F, 0.77F}, {0.080F, 0.19F, 0.13F}},  // nose
     {{0.00F, -1.20F, -0.16F}, {0.38F, 1.00F, 0.40F}},  // neck
     {{0.00F, -2.26F, -0.20F}, {1.60F, 0.58F, 0.56F}},  // shoulders
 }};

@@ -26,6 +26,9 @@ void check(const frame_settings& s) {
   if (!in_range(s.width) || !in_range(s.height)) throw std::invalid_argument("the picture's sides must be in [1, 16384]");
   if (s.map_size != 0 && !in_range(s.map_size)) throw std::invalid_argument("the map's side must be in [1, 16384]");
   if (s.opacity > 1.0F || std::isnan(s.opacity)) throw std::invalid_argument("alpha must be in [0, 1]");
+  if (s.from && !(std::isfinite(s.from->x) && std::abs(s.from->y) < 90.0F)) {
+    throw std::invalid_argument("the camera's elevation must be in (-90, 90) degrees");
+  }
   if (!(s.fibre_radius < INFINITY)) throw std::invalid_argument("the fibre's radius must be finite");
 }
 
@@ -45,8 +48,9 @@ sphere sphere_round(const box& bounds) {
   return {0.5F * (bounds.lower + bounds.upper), radius > 0.0F ? radius : 1.0F};
 }
 
-solids opaque_objects(const hair_model& model, const box& bounds, bool on_bust) {
+solids opaque_objects(const hair_model& model, const box& bounds, const sphere& round, bool on_bust) {
   solids s;
+  s.clear = 5.0F * round.radius;
   if (on_bust) {
     s.parts.assign(bust.begin(), bust.end());
     s.floor = -2.75F;
@@ -59,16 +63,42 @@ solids opaque_objects(const hair_model& model, const box& bounds, bool on_bust) 
   return s;
 }
 
-/// A soft studio: a warm key from above the right shoulder, a cool rim from behind.
-std::vector<light> studio() {
-  return {parse_light("spot:1.7,2.1,2.6:1.55,1.47,1.36:75"), parse_light("directional:-1.5,1.3,-1.6:0.80,0.88,1.0")};
+/// Where the hair is seen best: from the front and a little aside, or from beside the middle of hair that grows on one
+/// side of the head. Azimuth and elevation in degrees.
+glm::vec2 best_side(const solids& opaque, const sphere& round, bool on_bust) {
+  if (!on_bust && !opaque.parts.empty()) {
+    const ellipsoid& head = opaque.parts.front();
+    const glm::vec3 aside = round.centre - head.centre;
+    if (std::hypot(aside.x, aside.z) > 0.25F * head.radii.x) {
+      return {glm::degrees(std::atan2(aside.x, aside.z)) - 62.0F, 8.0F};
+    }
+  }
+  return {23.0F, 8.0F};
 }
 
-/// The camera sees the whole box of the fibres, from the front, a little from the side and from above.
-view fitted_camera(const box& bounds, const sphere& round, int width, int height) {
+glm::vec3 direction_of(const glm::vec2& azimuth_elevation) {
+  const glm::vec2 a = glm::radians(azimuth_elevation);
+  return {std::cos(a.y) * std::sin(a.x), std::sin(a.y), std::cos(a.y) * std::cos(a.x)};
+}
+
+/// A warm key from above the camera's right, and a cool rim from behind.
+std::vector<light> studio(float camera_azimuth) {
+  std::vector<light> lights{parse_light("spot:1.5,4.3,5.6:1.55,1.47,1.36:90"),
+                            parse_light("directional:-0.9,1.3,-2.0:0.80,0.88,1.0")};
+  const float turn = glm::radians(camera_azimuth);
+  const glm::mat3 rotation(std::cos(turn), 0.0F, -std::sin(turn), 0.0F, 1.0F, 0.0F, std::sin(turn), 0.0F,
+                           std::cos(turn));
+  for (light& l : lights) {
+    l.position = rotation * l.position;
+    l.direction = rotation * l.direction;
+  }
+  return lights;
+}
+
+/// The camera in a direction from the fibres that sees the whole of their box.
+view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& toward, int width, int height) {
   constexpr float tan_half_fov = 0.268F;  // 30 degrees
-  const glm::vec3 toward = glm::normalize(glm::vec3(0.42F, 0.16F, 1.0F));
-  const float narrow = tan_half_fov * std::min(1.0F, static_cast<float>(width) / static_cast<float>(height));
+  const float aspect = static_cast<float>(width) / static_cast<float>(height);
   const glm::vec3 half = bounds.empty() ? glm::vec3(1.0F) : 0.5F * (bounds.upper - bounds.lower);
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0.0F, 1.0F, 0.0F), toward));
   const glm::vec3 up = glm::cross(toward, right);
@@ -77,8 +107,8 @@ view fitted_camera(const box& bounds, const sphere& round, int width, int height
     const glm::vec3 sign((corner & 1) != 0 ? 1.0F : -1.0F, (corner & 2) != 0 ? 1.0F : -1.0F,
                          (corner & 4) != 0 ? 1.0F : -1.0F);
     const glm::vec3 c = sign * half;
-    const float aside = std::max(std::abs(glm::dot(c, right)), std::abs(glm::dot(c, up)));
-    distance = std::max(distance, 1.02F * aside / narrow + glm::dot(c, toward));
+    const float aside = std::max(std::abs(glm::dot(c, right)) / aspect, std::abs(glm::dot(c, up)));
+    distance = std::max(distance, 1.02F * aside / tan_half_fov + glm::dot(c, toward));
   }
   return perspective_view(round.centre + distance * toward, round.centre, tan_half_fov, width, height,
                           0.01F * round.radius);
@@ -97,8 +127,9 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const order_options options{settings.order, settings.k, order};
 
   frame_result result;
-  scene world{fibres, opaque_objects(model, bounds, settings.on_bust), {}, round, glm::vec3(0.62F, 0.66F, 0.72F), {}};
-  const std::vector<light> lights = settings.lights.empty() ? studio() : settings.lights;
+  scene world{fibres, opaque_objects(model, bounds, round, settings.on_bust), {}, round, glm::vec3(0.62F, 0.66F, 0.72F), {}};
+  const glm::vec2 from = settings.from ? *settings.from : best_side(world.opaque, round, settings.on_bust);
+  const std::vector<light> lights = settings.lights.empty() ? studio(from.x) : settings.lights;
   const int texels = settings.map_size != 0 ? settings.map_size : std::max(settings.width, settings.height);
   const double passes = static_cast<double>(lights.size() + 1);
 
@@ -123,12 +154,12 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
 
   progress("camera", static_cast<double>(lights.size()) / passes);
   const clock::time_point pass_start = clock::now();
-  const view eye = fitted_camera(bounds, round, settings.width, settings.height);
-  const raster from(fibres, eye, settings.antialias);
+  const view eye = fitted_camera(bounds, round, direction_of(from), settings.width, settings.height);
+  const raster fragments(fibres, eye, settings.antialias);
   const std::vector<float> limit = opaque_depths(eye, world.opaque);
-  camera_film film(from, world, settings.shown, settings.antialias);
+  camera_film film(fragments, world, settings.shown, settings.antialias);
   const double prepared = seconds_since(pass_start);
-  const order_report report = run_order_pass(from, limit, options, film);
+  const order_report report = run_order_pass(fragments, limit, options, film);
   result.picture = film.picture();
   result.passes.push_back({"camera", prepared, report, result.picture.pixels.size() * sizeof(glm::vec3)});
   result.seconds = seconds_since(start);

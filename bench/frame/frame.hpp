@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,12 @@ struct frame_settings {
   std::uint32_t k = 16;                          ///< one of compiled_k
   components shown = components::full;
   bool antialias = true;
-  std::vector<light> lights;                     ///< relative to the scene; empty: a soft studio of two
+  std::vector<light> lights;                     ///< relative to the scene; empty: two that go with the camera
   float opacity = -1.0F;                         ///< of all fibres, [0, 1]; negative: the model's own
   float fibre_radius = -1.0F;                    ///< of all fibres, length units, [0, inf); negative: the model's own
   std::uint64_t shuffle = 0;                     ///< seed of the drawing order; 0: the model's order
+  std::optional<glm::vec2> from;                 ///< where the camera stands: azimuth from +z toward +x and elevation,
+                                                 ///< degrees, elevation in (-90, 90); none: where the hair is seen best
   bool on_bust = false;                          ///< the opaque object is the built-in bust, not a sphere that fits
 };
 

@@ -6,17 +6,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <sstream>
 #include <stdexcept>
 
 namespace pelage::frame {
 namespace {
 
+/// The parts between separators, one more than there are of those; a part may be empty.
 std::vector<std::string> split(const std::string& text, char at) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, at);) parts.push_back(part);
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == at) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
   return parts;
 }
 
@@ -53,7 +57,7 @@ light_kind read_kind(const std::string& text, const std::string& whole) {
 
 light parse_light(const std::string& text) {
   const std::vector<std::string> parts = split(text, ':');
-  const light_kind kind = read_kind(parts.empty() ? "" : parts[0], text);
+  const light_kind kind = read_kind(parts[0], text);
   const std::size_t expected = kind == light_kind::spot ? 4 : 3;
   if (parts.size() != expected) {
     throw std::invalid_argument(fmt::format("light '{}': expected {} parts between ':'", text, expected));
@@ -62,9 +66,14 @@ light parse_light(const std::string& text) {
   l.kind = kind;
   l.position = read_vector(parts[1], text);
   l.colour = read_vector(parts[2], text);
-  if (glm::length(l.position) == 0.0F) {
+  if (glm::any(glm::lessThan(l.colour, glm::vec3(0.0F)))) {
+    throw std::invalid_argument(fmt::format("light '{}': a colour must not be negative", text));
+  }
+  const float distance = glm::length(l.position);
+  if (distance == 0.0F) {
     throw std::invalid_argument(fmt::format("light '{}': it stands in the scene's centre", text));
   }
+  if (!std::isfinite(distance)) throw std::invalid_argument(fmt::format("light '{}': it stands too far away", text));
   l.direction = -glm::normalize(l.position);
   if (kind == light_kind::spot) {
     const float degrees = read_number(parts[3], text);

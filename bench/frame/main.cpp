@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
+#include <tbb/task_arena.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -53,6 +54,7 @@ struct command_line {
   std::uint64_t seed = 1;
   std::string size = "640x640";
   std::vector<std::string> lights;
+  std::vector<float> from;
   std::string antialias = "on";
   int threads = 0;
   std::string out = "out/frame.png";
@@ -86,6 +88,9 @@ void parse(CLI::App& app, command_line& c, int argc, char** argv) {
   app.add_option("--lights", c.lights,
                  "directional:X,Y,Z:R,G,B, point:X,Y,Z:R,G,B or spot:X,Y,Z:R,G,B:DEGREES, any number; positions in "
                  "radii of the model round its centre");
+  app.add_option("--from", c.from, "AZIMUTH,ELEVATION of the camera, degrees; else where the hair is seen best")
+      ->delimiter(',')
+      ->expected(2);
   app.add_option("--threads", c.threads, "0: one a core")->check(CLI::Range(0, 1024));
   app.add_option("--shuffle", c.settings.shuffle, "draw segments in an order of this seed; the picture is the same");
   app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
@@ -119,7 +124,7 @@ hair_model load(const command_line& c) {
   if (c.follow == 0) return model;
   const box bounds = model.bounds();
   const float size = bounds.empty() ? 1.0F : glm::length(bounds.upper - bounds.lower);
-  return add_follow_strands(model, c.follow, c.follow_radius > 0.0F ? c.follow_radius : 0.006F * size, c.seed);
+  return add_follow_strands(model, c.follow, c.follow_radius != 0.0F ? c.follow_radius : 0.006F * size, c.seed);
 }
 
 std::uint64_t peak_memory() {
@@ -161,33 +166,58 @@ void show_progress(const std::string& what, double done) {
              done < 1.0 ? "" : "\n");
 }
 
+/// The files that a run has written: they go again when it fails.
+struct outputs {
+  std::vector<std::filesystem::path> written;
+
+  ~outputs() {
+    std::error_code ignored;
+    for (const std::filesystem::path& path : written) std::filesystem::remove(path, ignored);
+  }
+};
+
+/// The picture to compare with, if any; refused before the work if it is of another size.
+std::optional<image> load_other(const command_line& c) {
+  if (c.compare.empty()) return std::nullopt;
+  image other = load_png(c.compare);
+  if (other.width != c.settings.width || other.height != c.settings.height) {
+    throw std::invalid_argument(fmt::format("{}: {} x {} pixels, but the frame has {} x {}", printable(c.compare),
+                                            other.width, other.height, c.settings.width, c.settings.height));
+  }
+  return other;
+}
+
 void run(command_line& c) {
   read_size(c.size, c.settings);
   c.settings.antialias = c.antialias == "on";
   c.settings.on_bust = c.hair.empty();
   for (const std::string& text : c.lights) c.settings.lights.push_back(parse_light(text));
+  if (!c.from.empty()) c.settings.from = glm::vec2(c.from[0], c.from[1]);
   const std::size_t threads = static_cast<std::size_t>(c.threads > 0 ? c.threads : tbb::info::default_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
 
-  const std::optional<image> other = c.compare.empty() ? std::nullopt : std::optional(load_png(c.compare));
-  const hair_model model = load(c);
-  const frame_result frame = draw_frame(model, c.settings, show_progress);
+  const std::optional<image> other = load_other(c);
+  tbb::task_arena arena(static_cast<int>(threads));  // may be more than there are cores
+  const hair_model model = arena.execute([&] { return load(c); });
+  const frame_result frame = arena.execute([&] { return draw_frame(model, c.settings, show_progress); });
   nlohmann::json report = report_of(c, model, frame);
   report["threads"] = threads;
 
   const std::filesystem::path out = c.out;
   if (out.has_parent_path()) std::filesystem::create_directories(out.parent_path());
+  outputs made;
   save_png(out, frame.picture);
+  made.written.push_back(out);
   fmt::print("{}: {} strands, {} segments, {:.2f} s, {:.0f} MB at most\n", printable(out), model.strand_count(),
              model.segment_count(), frame.seconds, static_cast<double>(peak_memory()) / 1e6);
   if (other) {
-    const image saved = load_png(out);
-    const image_difference difference = compare(saved, *other);
+    const image_difference difference = compare(frame.picture, *other);
     report["rms"] = difference.rms;
     report["maximum"] = difference.maximum;
     std::filesystem::path map = out;
     map.replace_extension(".error.png");
-    save_png(map, error_map(saved, *other));
+    save_png(map, error_map(frame.picture, *other));
+    made.written.push_back(map);
     fmt::print("{}: RMS {:.5f}, maximum {:.5f} of {}\n", printable(map), difference.rms, difference.maximum,
                printable(c.compare));
   }
@@ -195,6 +225,7 @@ void run(command_line& c) {
     const std::string text = report.dump(2) + "\n";
     write_file(c.report, std::as_bytes(std::span(text)));
   }
+  made.written.clear();
 }
 
 }  // namespace
@@ -207,13 +238,13 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "pelage-frame: {}\n", error.what());
+    fmt::print(stderr, "pelage-frame: {}\n", printable(error.what()));  // one line, whatever names it has
     return 2;
   }
   try {
     run(c);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "pelage-frame: {}\n", error.what());
+    fmt::print(stderr, "pelage-frame: {}\n", printable(error.what()));  // one line, whatever names it has
     return 2;
   }
   return 0;

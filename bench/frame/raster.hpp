@@ -56,7 +56,7 @@ class raster {
   }
 
  private:
-  /// A quad on the screen. `bounded` is false when it reaches the eye and may be anywhere.
+  /// A quad on the screen. `bounded` is false when the fibre comes so near to the eye that it may be anywhere.
   struct outline {
     std::array<glm::vec2, 4> corner;
     bool visible, bounded;
@@ -73,6 +73,11 @@ class raster {
 
 // ---------------------------------------------------------------------------------------------------------
 
+/// The first pixel of [low, high] whose centre does not lie before x; quads may reach beyond any int.
+[[nodiscard]] inline int first_centre_from(float x, int low, int high) {
+  return static_cast<int>(std::ceil(std::clamp(x - 0.5F, static_cast<float>(low), static_cast<float>(high))));
+}
+
 template <class Visit>
 void raster::for_each(std::uint32_t segment, const pixel_rect& clip, Visit&& visit) const {
   const outline quad = outline_of(segment);
@@ -81,8 +86,8 @@ void raster::for_each(std::uint32_t segment, const pixel_rect& clip, Visit&& vis
   int y1 = clip.y1;
   if (quad.bounded) {
     const auto [low, high] = std::minmax({quad.corner[0].y, quad.corner[1].y, quad.corner[2].y, quad.corner[3].y});
-    y0 = static_cast<int>(std::ceil(std::max(low - 0.5F, static_cast<float>(clip.y0))));
-    y1 = static_cast<int>(std::ceil(std::min(high - 0.5F, static_cast<float>(clip.y1))));
+    y0 = first_centre_from(low, clip.y0, clip.y1);
+    y1 = first_centre_from(high, clip.y0, clip.y1);
   }
   for (int y = y0; y < y1; ++y) {
     const float centre = static_cast<float>(y) + 0.5F;
@@ -96,8 +101,8 @@ void raster::for_each(std::uint32_t segment, const pixel_rect& clip, Visit&& vis
       left = std::min(left, x);
       right = std::max(right, x);
     }
-    const int x0 = static_cast<int>(std::ceil(std::max(left - 0.5F, static_cast<float>(clip.x0))));
-    const int x1 = static_cast<int>(std::ceil(std::min(right - 0.5F, static_cast<float>(clip.x1))));
+    const int x0 = first_centre_from(left, clip.x0, clip.x1);
+    const int x1 = first_centre_from(right, clip.x0, clip.x1);
     for (int x = x0; x < x1; ++x) {
       const touch t = at(segment, x, y);
       if (t.coverage > 0.0F) visit(x, y, t);
@@ -118,7 +123,8 @@ inline touch raster::at(std::uint32_t segment, int x, int y) const {
   const float radius = mix(fibres_.radius, segment, pair.along_segment);
   const float share = antialias_ ? disc_strip_share(pair.distance, radius, disc)
                                  : (pair.distance <= std::max(radius, disc) ? 1.0F : 0.0F);
-  const bool in_front = pair.along_ray >= view_.near_plane;
+  const float axis_depth = -mix(position_, segment, pair.along_segment).z;
+  const bool in_front = std::min(pair.along_ray, axis_depth) >= view_.near_plane;
   return touch{pair.along_ray, in_front ? share : 0.0F, pair.along_segment};
 }
 

@@ -97,7 +97,7 @@ glm::vec3 camera_film::behind_fibres(int x, int y) const {
     const glm::vec3 direction = eye.direction_to_world(ray.direction);
     const auto hit = world_.opaque.hit(origin, direction);
     const glm::vec3 far = world_.background(direction);
-    sum += hit ? world_.solid_radiance(origin + hit->distance * direction, *hit) : far;
+    sum += hit ? glm::mix(world_.solid_radiance(origin + hit->distance * direction, *hit), far, hit->haze) : far;
   }
   return sum / static_cast<float>(side * side);
 }

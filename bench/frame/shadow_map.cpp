@@ -70,8 +70,9 @@ float shadow_map::transmittance_in(std::size_t t, float depth) const {
   const texel& here = texel_[t];
   const entry* begin = entry_.data() + first_[t];
   const entry* end = begin + here.count;
+  const bool behind_all = here.count > 0 && end[-1].depth < depth;
   const entry* after =
-      std::partition_point(begin, end, [depth](const entry& e) { return e.depth < depth; });
+      behind_all ? end : std::partition_point(begin, end, [depth](const entry& e) { return e.depth < depth; });
   std::uint32_t optical = after == begin ? 0 : after[-1].optical;
   if (after == end && here.behind > 0) {
     const float from = here.count > 0 ? end[-1].depth : 0.0F;

@@ -15,13 +15,15 @@ struct solid_hit {
   float distance;    ///< in lengths of the ray's direction, > 0
   glm::vec3 normal;  ///< unit, outward
   glm::vec3 colour;  ///< linear RGB reflectance
+  float haze;        ///< share of the background that hides it, [0, 1]: the floor has no horizon
 };
 
 /// The opaque objects of a scene: ellipsoids and a floor.
 struct solids {
   std::vector<ellipsoid> parts;
   std::optional<float> floor;  ///< its height
-  glm::vec3 skin{0.50F, 0.33F, 0.25F};
+  float clear = 1.0F;          ///< distance from a ray's origin up to which the floor is seen as it is
+  glm::vec3 skin{0.47F, 0.36F, 0.30F};
   glm::vec3 ground{0.42F, 0.42F, 0.44F};
 
   /// The nearest hit of a ray. direction is not zero.

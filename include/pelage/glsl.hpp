@@ -843,12 +843,12 @@ inline constexpr char order_list_storage_1[] = R"glsl()glsl";
 inline constexpr char order_list_storage_2[] = R"glsl(
 // The shader says where these cells lie before it includes this file; those that others write
 // meanwhile belong into a coherent buffer:
-//   PELAGE_ATOMIC_LIST_STORAGE_LINKS(i)  one a list, then one a node; clear() before use
+//   PELAGE_ATOMIC_LIST_STORAGE_LINKS(i)  one a list, then one a node; at most 2^32 - 2^24; clear() before use
 //   PELAGE_ATOMIC_LIST_STORAGE_LINKS_SIZE  how many of them
-//   PELAGE_ATOMIC_LIST_STORAGE_NODES(i)  the pool, shared by all lists; at most 2^32 - 2^16 nodes
+//   PELAGE_ATOMIC_LIST_STORAGE_NODES(i)  the pool, shared by all lists
 //   PELAGE_ATOMIC_LIST_STORAGE_NODES_SIZE  how many of them
-//   PELAGE_ATOMIC_LIST_STORAGE_REFUSED  fragments that found the pool full, or that no structure takes (NaN)
-//   PELAGE_ATOMIC_LIST_STORAGE_TAKEN  nodes asked for: the count in use, and at most one a thread more
+//   PELAGE_ATOMIC_LIST_STORAGE_REFUSED  fragments that found the pool full, or are no fragments (NaN); modulo 2^32
+//   PELAGE_ATOMIC_LIST_STORAGE_TAKEN  nodes asked for: those in use, and at most one more for each other thread
 #ifndef PELAGE_ATOMIC_LIST_STORAGE_LINKS
 #error order/list_storage.glsl: define PELAGE_ATOMIC_LIST_STORAGE_LINKS(i) before the include
 #endif
@@ -923,10 +923,12 @@ void pelage_atomic_list_storage_write_node(uint pelage_node, pelage_fragment pel
   PELAGE_ATOMIC_LIST_STORAGE_NODES(pelage_node) = pelage_f;
 }
 
-/// Takes a node of the pool, or no_node() when all are taken; lock-free, O(1). The count cannot wrap: a full pool is
-/// seen before it is asked, so at most one request a thread goes beyond the capacity.
+/// Takes a node of the pool, or no_node() when all are taken. Wait-free, O(1). The count stays near the capacity: a
+/// thread looks before it asks, so it asks a full pool once at most, and whoever took the last node never does. It
+/// wraps only if more threads (on a GPU, invocations in flight) than 2^32 - node_capacity() do so.
 ///
-/// (1) and (2) are relaxed: the counter hands out numbers and publishes nothing; the node's content is published by
+/// (1) Relaxed load: the count never falls, so a thread that has seen the pool full, or whose own (2) found it full,
+/// sees that forever. (2) Relaxed add: it hands out numbers and publishes nothing; a node's content is published by
 /// the link that leads to it.
 uint pelage_take_node() {
   if (pelage_atomic_list_storage_load_taken(pelage_memory_order_relaxed) >=
@@ -1032,6 +1034,7 @@ void pelage_order_pair(inout pelage_fragment a, inout pelage_fragment b);
 
 /// Sorts K fragments nearest first with Batcher's odd-even merge network: the same compares whatever the data, so
 /// that a compiler can unroll it and keep every slot in a register. O(K log² K): 63 compares at K = 16, 543 at 64.
+/// Not stable; ids make the order total. Sorts other elements too, by the order_pair() declared beside their type.
 void pelage_sort_network(inout pelage_fragment slot[PELAGE_SORT_NETWORK_K]);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -1234,9 +1237,9 @@ inline constexpr char order_ordered_list_2[] = R"glsl(
 /// Sorted per-pixel lists that many threads build at once, readable while they grow. [Yu12 §5.2]
 ///
 /// Keeps the total order in the links themselves; what finds the pool full, or lies behind `limit` nearer ones,
-/// comes back. Once all inserts are done a list holds the same sequence for every interleaving (as long as the pool
-/// suffices). A reader that walks a list at the same time sees a sorted list of complete nodes, some of those being
-/// inserted among them. Memory: see list_storage.
+/// comes back. Once all inserts are done a list holds the same sequence for every interleaving, or with a limit begins
+/// with the same sequence, as long as no fragment found the pool full. A reader that walks a list at the same time sees
+/// a sorted list of complete nodes, some of those being inserted among them. Memory: see list_storage.
 
 /// The limit that never ends a search.
 uint pelage_ordered_list_unlimited() {
@@ -1245,17 +1248,20 @@ uint pelage_ordered_list_unlimited() {
 
 /// Inserts a fragment at its place. Returns no_fragment(), or the fragment itself where it did not enter: it is
 /// refused and counted (pool full, or is_fragment() is false), or `limit` fragments of the list are before it, which
-/// is not a loss but an answer: it is not among the `limit` nearest and never will be. The list's first `limit`
-/// nodes are the nearest for every interleaving; nodes behind them may remain.
+/// is not a loss but an answer: it is not among the `limit` nearest and never will be. If all inserts have the same
+/// limit and none found the pool full, the list's first `limit` nodes are the nearest of all for every interleaving.
+/// Nodes behind them may remain, how many depends on the interleaving: only a node for every offer is surely enough.
 ///
 /// `list`: [0, list_count()). `limit`: [1, unlimited()]. Lock-free: an exchange fails only because another insert
-/// succeeded. O(n) steps for n fragments before this one, at most `limit`, and as many again for each failure.
+/// succeeded, and costs one more step. O(n) steps for the n fragments before this one; of those that were there when
+/// it came, it passes at most `limit`.
 ///
 /// (1) Acquire load of a link; synchronises with (3) of whoever published the node that it leads to, so the node's
 /// fragment and link may be read. (2) Relaxed store of the own link: no one reaches the node before (3). (3) The
 /// compare-exchange verifies that the successor is still the one that was compared with, and releases the node's
-/// fragment and its link (2) to the acquire loads (1) and (4). On failure it takes nothing and the search goes on
-/// from the same predecessor, which is still before the fragment: nodes are never removed.
+/// fragment and its link (2) to the acquire loads (1) and (4). On failure, relaxed, it takes nothing: the search goes
+/// on from the same place, the head or a node that is still before the fragment since none is ever removed, and (1)
+/// loads anew.
 pelage_fragment pelage_ordered_list_insert(uint list, pelage_fragment offered, uint limit);
 
 /// The first node of a list, or no_node(). (4) Acquire, pairs with (3). Wait-free.

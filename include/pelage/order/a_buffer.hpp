@@ -44,7 +44,7 @@ fragment push(Storage& storage, std::uint32_t list, fragment offered) noexcept {
   }
   storage.write_node(node, offered);
   const std::uint32_t successor = storage.exchange_link(list, node, std::memory_order_relaxed);  // (1)
-  storage.store_link(link_of(storage, node), successor, std::memory_order_relaxed);               // (2)
+  storage.store_link(link_of(storage, node), successor, std::memory_order_relaxed);              // (2)
   return no_fragment();
 }
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/assert.hpp>
 #include <pelage/core/fragment.hpp>
 
 #include <algorithm>
@@ -12,15 +13,17 @@
 namespace pelage {
 
 /// The link that ends a list, and the node that stands for none.
-[[nodiscard]] constexpr std::uint32_t no_node() noexcept { return 0xffffffffu; }
+[[nodiscard]] constexpr std::uint32_t no_node() noexcept {
+  return 0xffffffffu;
+}
 
 /// Where concurrent per-pixel lists live: links, nodes and two counters, each cell reached by a call that names
 /// its memory order, so that the same algorithm runs on std::atomic_ref, on a shader's buffers and on cells that a
 /// concurrency test watches.
 ///
-/// Links [0, list_count()) are the lists' heads; the link that leaves node n is link list_count() + n. Every link
-/// is a node's number or no_node(). A compare-exchange returns the value it found; it took place exactly when that
-/// is `expected`, and must not fail spuriously.
+/// Links [0, list_count()) are the lists' heads; the link that leaves node n is link list_count() + n, a sum that
+/// must not wrap. Every link is a node's number or no_node(). A compare-exchange returns the value it found; it took
+/// place exactly when that is `expected`, and must not fail spuriously.
 template <class Storage>
 concept list_storage = requires(Storage& s, const Storage& c, std::uint32_t n, fragment f, std::memory_order order) {
   { c.list_count() } -> std::same_as<std::uint32_t>;
@@ -39,13 +42,14 @@ concept list_storage = requires(Storage& s, const Storage& c, std::uint32_t n, f
 /// list_storage over the caller's memory, atomic through std::atomic_ref. Lock-free where a 32-bit atomic_ref is.
 /// 4 bytes a list, 12 bytes a node.
 struct atomic_list_storage {
-  std::span<std::uint32_t> links;  ///< one a list, then one a node; clear() before use
-  std::span<fragment> nodes;       ///< the pool, shared by all lists; at most 2^32 - 2^16 nodes
-  std::uint32_t* taken;            ///< nodes asked for: the count in use, and at most one a thread more
-  std::uint32_t* refused;          ///< fragments that found the pool full, or that no structure takes (NaN)
+  std::span<std::uint32_t> links;  ///< one a list, then one a node; at most 2^32 - 2^24; clear() before use
+  std::span<fragment> nodes;       ///< the pool, shared by all lists
+  std::uint32_t* taken;            ///< nodes asked for: those in use, and at most one more for each other thread
+  std::uint32_t* refused;          ///< fragments that found the pool full, or are no fragments (NaN); modulo 2^32
 
   /// Empties every list and both counters. Not concurrent.
   void clear() noexcept {
+    PELAGE_ASSERT(nodes.size() <= links.size() && links.size() <= 0xff000000u);
     std::fill(links.begin(), links.end(), no_node());
     *taken = 0u;
     *refused = 0u;
@@ -85,10 +89,12 @@ struct atomic_list_storage {
 
 static_assert(list_storage<atomic_list_storage>);
 
-/// Takes a node of the pool, or no_node() when all are taken; lock-free, O(1). The count cannot wrap: a full pool is
-/// seen before it is asked, so at most one request a thread goes beyond the capacity.
+/// Takes a node of the pool, or no_node() when all are taken. Wait-free, O(1). The count stays near the capacity: a
+/// thread looks before it asks, so it asks a full pool once at most, and whoever took the last node never does. It
+/// wraps only if more threads (on a GPU, invocations in flight) than 2^32 - node_capacity() do so.
 ///
-/// (1) and (2) are relaxed: the counter hands out numbers and publishes nothing; the node's content is published by
+/// (1) Relaxed load: the count never falls, so a thread that has seen the pool full, or whose own (2) found it full,
+/// sees that forever. (2) Relaxed add: it hands out numbers and publishes nothing; a node's content is published by
 /// the link that leads to it.
 template <list_storage Storage>
 [[nodiscard]] std::uint32_t take_node(Storage& storage) noexcept {

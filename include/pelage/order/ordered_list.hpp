@@ -11,27 +11,32 @@
 /// Sorted per-pixel lists that many threads build at once, readable while they grow. [Yu12 §5.2]
 ///
 /// Keeps the total order in the links themselves; what finds the pool full, or lies behind `limit` nearer ones,
-/// comes back. Once all inserts are done a list holds the same sequence for every interleaving (as long as the pool
-/// suffices). A reader that walks a list at the same time sees a sorted list of complete nodes, some of those being
-/// inserted among them. Memory: see list_storage.
+/// comes back. Once all inserts are done a list holds the same sequence for every interleaving, or with a limit begins
+/// with the same sequence, as long as no fragment found the pool full. A reader that walks a list at the same time sees
+/// a sorted list of complete nodes, some of those being inserted among them. Memory: see list_storage.
 namespace pelage::ordered_list {
 
 /// The limit that never ends a search.
-[[nodiscard]] constexpr std::uint32_t unlimited() noexcept { return 0xffffffffu; }
+[[nodiscard]] constexpr std::uint32_t unlimited() noexcept {
+  return 0xffffffffu;
+}
 
 /// Inserts a fragment at its place. Returns no_fragment(), or the fragment itself where it did not enter: it is
 /// refused and counted (pool full, or is_fragment() is false), or `limit` fragments of the list are before it, which
-/// is not a loss but an answer: it is not among the `limit` nearest and never will be. The list's first `limit`
-/// nodes are the nearest for every interleaving; nodes behind them may remain.
+/// is not a loss but an answer: it is not among the `limit` nearest and never will be. If all inserts have the same
+/// limit and none found the pool full, the list's first `limit` nodes are the nearest of all for every interleaving.
+/// Nodes behind them may remain, how many depends on the interleaving: only a node for every offer is surely enough.
 ///
 /// `list`: [0, list_count()). `limit`: [1, unlimited()]. Lock-free: an exchange fails only because another insert
-/// succeeded. O(n) steps for n fragments before this one, at most `limit`, and as many again for each failure.
+/// succeeded, and costs one more step. O(n) steps for the n fragments before this one; of those that were there when
+/// it came, it passes at most `limit`.
 ///
 /// (1) Acquire load of a link; synchronises with (3) of whoever published the node that it leads to, so the node's
 /// fragment and link may be read. (2) Relaxed store of the own link: no one reaches the node before (3). (3) The
 /// compare-exchange verifies that the successor is still the one that was compared with, and releases the node's
-/// fragment and its link (2) to the acquire loads (1) and (4). On failure it takes nothing and the search goes on
-/// from the same predecessor, which is still before the fragment: nodes are never removed.
+/// fragment and its link (2) to the acquire loads (1) and (4). On failure, relaxed, it takes nothing: the search goes
+/// on from the same place, the head or a node that is still before the fragment since none is ever removed, and (1)
+/// loads anew.
 template <list_storage Storage>
 [[nodiscard]] fragment insert(Storage& storage, std::uint32_t list, fragment offered, std::uint32_t limit) noexcept;
 

@@ -13,8 +13,9 @@ constexpr void order_pair(fragment& a, fragment& b) noexcept;
 
 /// Sorts K fragments nearest first with Batcher's odd-even merge network: the same compares whatever the data, so
 /// that a compiler can unroll it and keep every slot in a register. O(K log² K): 63 compares at K = 16, 543 at 64.
-template <std::uint32_t K>
-constexpr void sort_network(std::array<fragment, K>& slot) noexcept;
+/// Not stable; ids make the order total. Sorts other elements too, by the order_pair() declared beside their type.
+template <std::uint32_t K, class Element>
+constexpr void sort_network(std::array<Element, K>& slot) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -26,8 +27,8 @@ constexpr void order_pair(fragment& a, fragment& b) noexcept {
   b = farther;
 }
 
-template <std::uint32_t K>
-constexpr void sort_network(std::array<fragment, K>& slot) noexcept {
+template <std::uint32_t K, class Element>
+constexpr void sort_network(std::array<Element, K>& slot) noexcept {
   for (std::uint32_t merged = 1u; merged < K; merged *= 2u) {
     for (std::uint32_t stride = merged; stride >= 1u; stride /= 2u) {
       const std::uint32_t first = stride == merged ? 0u : stride;

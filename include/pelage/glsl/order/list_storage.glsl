@@ -9,12 +9,12 @@
 
 // The shader says where these cells lie before it includes this file; those that others write
 // meanwhile belong into a coherent buffer:
-//   PELAGE_ATOMIC_LIST_STORAGE_LINKS(i)  one a list, then one a node; clear() before use
+//   PELAGE_ATOMIC_LIST_STORAGE_LINKS(i)  one a list, then one a node; at most 2^32 - 2^24; clear() before use
 //   PELAGE_ATOMIC_LIST_STORAGE_LINKS_SIZE  how many of them
-//   PELAGE_ATOMIC_LIST_STORAGE_NODES(i)  the pool, shared by all lists; at most 2^32 - 2^16 nodes
+//   PELAGE_ATOMIC_LIST_STORAGE_NODES(i)  the pool, shared by all lists
 //   PELAGE_ATOMIC_LIST_STORAGE_NODES_SIZE  how many of them
-//   PELAGE_ATOMIC_LIST_STORAGE_REFUSED  fragments that found the pool full, or that no structure takes (NaN)
-//   PELAGE_ATOMIC_LIST_STORAGE_TAKEN  nodes asked for: the count in use, and at most one a thread more
+//   PELAGE_ATOMIC_LIST_STORAGE_REFUSED  fragments that found the pool full, or are no fragments (NaN); modulo 2^32
+//   PELAGE_ATOMIC_LIST_STORAGE_TAKEN  nodes asked for: those in use, and at most one more for each other thread
 #ifndef PELAGE_ATOMIC_LIST_STORAGE_LINKS
 #error order/list_storage.glsl: define PELAGE_ATOMIC_LIST_STORAGE_LINKS(i) before the include
 #endif
@@ -89,10 +89,12 @@ void pelage_atomic_list_storage_write_node(uint pelage_node, pelage_fragment pel
   PELAGE_ATOMIC_LIST_STORAGE_NODES(pelage_node) = pelage_f;
 }
 
-/// Takes a node of the pool, or no_node() when all are taken; lock-free, O(1). The count cannot wrap: a full pool is
-/// seen before it is asked, so at most one request a thread goes beyond the capacity.
+/// Takes a node of the pool, or no_node() when all are taken. Wait-free, O(1). The count stays near the capacity: a
+/// thread looks before it asks, so it asks a full pool once at most, and whoever took the last node never does. It
+/// wraps only if more threads (on a GPU, invocations in flight) than 2^32 - node_capacity() do so.
 ///
-/// (1) and (2) are relaxed: the counter hands out numbers and publishes nothing; the node's content is published by
+/// (1) Relaxed load: the count never falls, so a thread that has seen the pool full, or whose own (2) found it full,
+/// sees that forever. (2) Relaxed add: it hands out numbers and publishes nothing; a node's content is published by
 /// the link that leads to it.
 uint pelage_take_node() {
   if (pelage_atomic_list_storage_load_taken(pelage_memory_order_relaxed) >=

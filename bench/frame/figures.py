@@ -1,0 +1,82 @@
+# Copyright (c) 2026 The Pelage authors
+# SPDX-License-Identifier: MIT
+"""Renders the frames of the README's figures with pelage-frame and puts them side by side."""
+import argparse
+import json
+import pathlib
+import subprocess
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.image
+import matplotlib.pyplot
+
+arguments = argparse.ArgumentParser()
+arguments.add_argument("root", type=pathlib.Path)
+arguments.add_argument("--hair", type=pathlib.Path)
+given = arguments.parse_args()
+
+scratch = given.root / "out" / "figures"
+pictures = given.root / "bench" / "frame" / "pictures"
+scratch.mkdir(parents=True, exist_ok=True)
+pictures.mkdir(parents=True, exist_ok=True)
+
+
+def render(name, *options):
+    """Draws one frame; returns its picture's path and its report."""
+    picture, report = scratch / f"{name}.png", scratch / f"{name}.json"
+    program = given.root / "build" / "release" / "bench" / "frame" / "pelage-frame"
+    command = [program, "--out", picture, "--report", report, *options]
+    subprocess.run([str(word) for word in command], check=True)
+    return picture, json.loads(report.read_text())
+
+
+def side_by_side(name, rows):
+    """rows: lists of (title, picture); one figure of them all."""
+    columns = max(len(row) for row in rows)
+    figure, axes = matplotlib.pyplot.subplots(
+        len(rows), columns, figsize=(3.2 * columns, 3.45 * len(rows)), squeeze=False)
+    for row, line in zip(axes, rows):
+        for axis, (title, picture) in zip(row, line):
+            axis.imshow(matplotlib.image.imread(picture))
+            axis.set_title(title, fontsize=9)
+            axis.set_axis_off()
+    figure.tight_layout(pad=0.4)
+    figure.savefig(pictures / f"{name}.png", dpi=110)
+
+
+frame, report = render("frame")
+(pictures / "frame.png").write_bytes(frame.read_bytes())
+print(f"\ndefault frame: {report['seconds']:.2f} s, {report['peak_bytes'] / 1e6:.0f} MB at most, "
+      f"{report['threads']} threads")
+for one in report["passes"]:
+    print(f"  {one['name']}: {one['fragments'] / 1e6:.1f} million fragments, longest list {one['longest_list']}, "
+          f"structure {one['structure_bytes'] / 1e6:.1f} MB, result {one['result_bytes'] / 1e6:.1f} MB")
+print()
+
+columns = [("single", "single: opaque, unshadowed"), ("shadows", "shadows"), ("translucency", "translucency"),
+           ("full", "full: both")]
+side_by_side("components", [
+    [(f"{title}, {word}", render(f"{column}-{aa}", "--components", column, "--aa", aa)[0]) for column, title in columns]
+    for aa, word in (("off", "aliased"), ("on", "anti-aliased"))
+])
+
+# "View only" leaves the shadows out and shows the error of the K nearest fragments and their tail along the view ray;
+# the whole frame adds that of the lights' maps.
+rows = []
+table = ["| alpha | RMS, view only | RMS, whole frame | largest |", "| --- | --- | --- | --- |"]
+for alpha in ("0.25", "0.15", "0.03"):
+    truth, _ = render(f"truth-{alpha}", "--order", "full_sort", "--alpha", alpha)
+    truth_view, _ = render(f"truth-view-{alpha}", "--order", "full_sort", "--alpha", alpha, "--components", "translucency")
+    buffer, whole = render(f"k16-{alpha}", "--alpha", alpha, "--compare", truth)
+    _, view = render(f"k16-view-{alpha}", "--alpha", alpha, "--components", "translucency", "--compare", truth_view)
+    table.append(f"| {alpha} | {view['rms']:.5f} | {whole['rms']:.5f} | {whole['maximum']:.3f} |")
+    rows.append([(f"sorted whole, alpha {alpha}", truth), (f"K = 16, alpha {alpha}", buffer),
+                 ("difference, white = 0.1", buffer.with_suffix(".error.png"))])
+side_by_side("errors", rows)
+print("\n" + "\n".join(table))
+
+if given.hair:
+    picture, _ = render("file", "--hair", given.hair, "--follow", "15")
+    (pictures / "file.png").write_bytes(picture.read_bytes())
