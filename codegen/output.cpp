@@ -206,13 +206,12 @@ std::string file_text(const unit& u, problems& found) {
       }
     }
     const std::string word = u.entities.front()->name.substr(0, u.entities.front()->name.find('_'));
-    text += "\n// For a second size in one shader define the size anew and PELAGE_PREFIX, a word that takes the place of\n"
+    text += "\n// For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of\n"
             "// `" + word + "` in the names, and include this file again.\n";
-    text += "#ifndef PELAGE_PREFIX\n";
     for (const auto& [macro, size] : u.sizes) {
-      text += "uint[" + macro + "] " + macro + "_has_one_value_in_a_shader();\n";
+      text += "#ifndef PELAGE_PREFIX\nuint[" + macro + "] " + macro + "_has_one_value_in_a_shader();\n#endif\n";
     }
-    text += "#endif\n#if defined(PELAGE_PREFIX) || !defined(" + once + ")\n#ifndef PELAGE_PREFIX\n#define " + once +
+    text += "#if defined(PELAGE_PREFIX) || !defined(" + once + ")\n#ifndef PELAGE_PREFIX\n#define " + once +
             "\n#endif\n";
   } else {
     text += "#ifndef " + once + "\n#define " + once + "\n";

@@ -51,7 +51,7 @@ bool translator::storage_expression(const Expr* e, std::string& text, position a
     const QualType object = c->getImplicitObjectArgument()->getType();
     if (is_std_type(object, "__atomic_ref") || is_std_type(object, "atomic_ref") ||
         c->getMethodDecl()->getQualifiedNameAsString().rfind("std::__atomic_ref", 0) == 0) {
-      text = atomic(c, at);
+      text = atomic(c, c->getImplicitObjectArgument(), c->getMethodDecl()->getNameAsString(), 0, at);
       return true;
     }
     if (is_std_type(object, "span")) {
@@ -59,6 +59,14 @@ bool translator::storage_expression(const Expr* e, std::string& text, position a
       return true;
     }
     return false;
+  }
+  if (const auto* c = dyn_cast<CallExpr>(e); c != nullptr && c->getDirectCallee() != nullptr) {
+    // std::atomic_ref has no minimum before C++26: the library's own stands for GLSL's.
+    const std::string name = c->getDirectCallee()->getQualifiedNameAsString();
+    if (name == "pelage::fetch_minimum" || name == "pelage::fetch_maximum") {
+      text = atomic(c, c->getArg(0), name == "pelage::fetch_minimum" ? "fetch_min" : "fetch_max", 1, at);
+      return true;
+    }
   }
   if (const auto* c = dyn_cast<ExplicitCastExpr>(e)) {
     const auto* call = dyn_cast<CXXMemberCallExpr>(c->getSubExpr()->IgnoreParenImpCasts());
@@ -91,9 +99,9 @@ bool translator::storage_expression(const Expr* e, std::string& text, position a
 
 /// One operation of std::atomic_ref. The value passes through pelage_release() on its way in and pelage_acquire() on
 /// its way out; both are fences of the given order, and left out where the order is relaxed for good.
-std::string translator::atomic(const CXXMemberCallExpr* c, position at) {
-  const std::string name = c->getMethodDecl()->getNameAsString();
-  const Expr* place = referred(c->getImplicitObjectArgument());
+std::string translator::atomic(const CallExpr* c, const Expr* reference, const std::string& name, unsigned first,
+                              position at) {
+  const Expr* place = referred(reference);
   if (place == nullptr) return reject(c->getBeginLoc(), "atomics: write std::atomic_ref(cell).operation(...)");
   const std::string target = expression(place);
   fresh_->where->uses_atomics = true;
@@ -105,7 +113,7 @@ std::string translator::atomic(const CXXMemberCallExpr* c, position at) {
   if (writes && at == position::part) {
     return reject(c->getBeginLoc(), "call with an effect inside an expression: give its result a name first");
   }
-  const auto arg = [&](unsigned i) { return expression(c->getArg(i)); };
+  const auto arg = [&](unsigned i) { return expression(c->getArg(first + i)); };
   const auto release = [&](const std::string& value, const std::string& order) {
     return order == "pelage_memory_order_relaxed" ? value : "pelage_release(" + value + ", " + order + ")";
   };
@@ -121,7 +129,8 @@ std::string translator::atomic(const CXXMemberCallExpr* c, position at) {
   }
   static const std::map<std::string, std::string> same = {{"exchange", "atomicExchange"}, {"fetch_add", "atomicAdd"},
                                                           {"fetch_and", "atomicAnd"},     {"fetch_or", "atomicOr"},
-                                                          {"fetch_xor", "atomicXor"}};
+                                                          {"fetch_xor", "atomicXor"},
+                                                          {"fetch_min", "atomicMin"},     {"fetch_max", "atomicMax"}};
   const auto found = same.find(name);
   if (found == same.end()) return reject(c->getBeginLoc(), "std::atomic_ref::" + name + " has no GLSL form");
   return acquire(found->second + "(" + target + ", " + release(arg(0), arg(1)) + ")", arg(1));

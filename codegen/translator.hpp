@@ -117,7 +117,8 @@ class translator {
 
   // storage.cpp
   bool storage_expression(const clang::Expr* e, std::string& text, position at);
-  std::string atomic(const clang::CXXMemberCallExpr* c, position at);
+  std::string atomic(const clang::CallExpr* c, const clang::Expr* reference, const std::string& name, unsigned first,
+                     position at);
   std::string cell_name(const clang::Expr* e, const std::string& index);
   bool is_storage_type(clang::QualType t) const;
 

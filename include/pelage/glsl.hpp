@@ -1007,7 +1007,7 @@ inline constexpr char order_sorting_network_0[] = R"glsl(// Copyright (c) 2026 T
 #define PELAGE_SORT_NETWORK_K 16
 #endif
 
-// For a second size in one shader define the size anew and PELAGE_PREFIX, a word that takes the place of
+// For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
 #ifndef PELAGE_PREFIX
 uint[PELAGE_SORT_NETWORK_K] PELAGE_SORT_NETWORK_K_has_one_value_in_a_shader();
@@ -1085,7 +1085,7 @@ inline constexpr char order_k_buffer_0[] = R"glsl(// Copyright (c) 2026 The Pela
 #error pelage::k_buffer<K>: K must be in [1, 64]
 #endif
 
-// For a second size in one shader define the size anew and PELAGE_PREFIX, a word that takes the place of
+// For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
 #ifndef PELAGE_PREFIX
 uint[PELAGE_K_BUFFER_K] PELAGE_K_BUFFER_K_has_one_value_in_a_shader();

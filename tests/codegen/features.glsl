@@ -9,7 +9,7 @@
 #error features::ring<N>: N must be in [2, 32]
 #endif
 
-// For a second size in one shader define the size anew and PELAGE_PREFIX, a word that takes the place of
+// For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `features` in the names, and include this file again.
 #ifndef PELAGE_PREFIX
 uint[FEATURES_RING_N] FEATURES_RING_N_has_one_value_in_a_shader();

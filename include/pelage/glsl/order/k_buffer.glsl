@@ -9,7 +9,7 @@
 #error pelage::k_buffer<K>: K must be in [1, 64]
 #endif
 
-// For a second size in one shader define the size anew and PELAGE_PREFIX, a word that takes the place of
+// For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
 #ifndef PELAGE_PREFIX
 uint[PELAGE_K_BUFFER_K] PELAGE_K_BUFFER_K_has_one_value_in_a_shader();

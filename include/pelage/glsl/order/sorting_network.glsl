@@ -6,7 +6,7 @@
 #define PELAGE_SORT_NETWORK_K 16
 #endif
 
-// For a second size in one shader define the size anew and PELAGE_PREFIX, a word that takes the place of
+// For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
 #ifndef PELAGE_PREFIX
 uint[PELAGE_SORT_NETWORK_K] PELAGE_SORT_NETWORK_K_has_one_value_in_a_shader();
