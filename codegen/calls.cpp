@@ -201,7 +201,11 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
   const auto* method = dyn_cast_or_null<CXXMethodDecl>(f);
   const bool copies = op == OO_Equal && method != nullptr && !method->isUserProvided();
   if (f == nullptr || !(is_glm(f) || copies)) {
-    return reject(c->getOperatorLoc(), "operator overload: call a function instead");
+    // An operator of ours is a function by another name, as long as it changes nothing.
+    if (f == nullptr || method != nullptr || operator_name(f).empty()) {
+      return reject(c->getOperatorLoc(), "operator overload: call a function instead");
+    }
+    return call(c, at);
   }
   if (assigns && at == position::part) {
     return reject(c->getOperatorLoc(), "assignment inside an expression: make it a statement of its own");

@@ -157,7 +157,7 @@ void translator::translate_function(const FunctionDecl* f) {
   if (f->getReturnType()->isReferenceType()) reject(where, "reference as a result: return a value");
   if (f->isVariadic()) reject(where, "variadic function");
   if (method != nullptr && method->isVirtual()) reject(where, "virtual function");
-  if (f->isOverloadedOperator()) reject(where, "operator overload: call a function instead");
+  if (f->isOverloadedOperator() && operator_name(f).empty()) reject(where, "operator overload: call a function instead");
   if (isa_and_nonnull<CXXTryStmt>(definition->getBody())) reject(where, "exceptions");
   const std::string result = type_of(f->getReturnType(), where).text();
   std::string list = parameters(definition);

@@ -61,8 +61,21 @@ std::string upper(std::string name) {
   return name;
 }
 
+std::string operator_name(const clang::NamedDecl* d) {
+  const auto* f = llvm::dyn_cast<clang::FunctionDecl>(d);
+  if (f == nullptr || llvm::isa<clang::CXXMethodDecl>(f)) return {};
+  const bool binary = f->getNumParams() == 2;
+  switch (f->getOverloadedOperator()) {
+    case clang::OO_Plus: return binary ? "add" : "";
+    case clang::OO_Minus: return binary ? "subtract" : "negate";
+    case clang::OO_Star: return binary ? "multiply" : "";
+    case clang::OO_Slash: return "divide";
+    default: return {};
+  }
+}
+
 std::string global_name(const clang::NamedDecl* d) {
-  std::string name = d->getDeclName().isIdentifier() ? d->getName().str() : std::string();
+  std::string name = d->getDeclName().isIdentifier() ? d->getName().str() : operator_name(d);
   for (const clang::DeclContext* c = d->getDeclContext(); c != nullptr; c = c->getParent()) {
     const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(c);
     const bool silent = space != nullptr && (space->isAnonymousNamespace() || space->isInline());

@@ -10,6 +10,9 @@ namespace pelage::codegen {
 /// pelage::a_buffer::push -> pelage_a_buffer_push. Template arguments vanish.
 [[nodiscard]] std::string global_name(const clang::NamedDecl* d);
 
+/// What an operator that is a function is called: `multiply` for operator*(a, b); nothing for those without a name.
+[[nodiscard]] std::string operator_name(const clang::NamedDecl* d);
+
 /// PELAGE_K_BUFFER_K for the parameter K of pelage::k_buffer.
 [[nodiscard]] std::string upper(std::string name);
 

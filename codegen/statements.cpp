@@ -193,8 +193,28 @@ std::string translator::variables(const DeclStmt* s) {
   return text;
 }
 
+/// const T& to a part of what no one can write to meanwhile: as good as a copy.
+bool translator::names_constant(const VarDecl* v) {
+  if (!v->getType().getNonReferenceType().isConstQualified() || v->getInit() == nullptr) return false;
+  const Expr* e = v->getInit();
+  for (;;) {
+    e = e->IgnoreParenImpCasts();
+    if (const auto* m = dyn_cast<MemberExpr>(e)) {
+      e = m->getBase();
+    } else if (const auto* c = dyn_cast<CXXOperatorCallExpr>(e); c != nullptr && c->getOperator() == OO_Subscript) {
+      e = c->getArg(0);
+    } else {
+      break;
+    }
+  }
+  if (const auto* self = dyn_cast<CXXThisExpr>(e)) return self->getType()->getPointeeType().isConstQualified();
+  const auto* r = dyn_cast<DeclRefExpr>(e);
+  return r != nullptr && r->getDecl()->getType().getNonReferenceType().isConstQualified();
+}
+
 std::string translator::variable(const VarDecl* v) {
-  if (v->getType()->isReferenceType()) {
+  const bool refers = v->getType()->isReferenceType();
+  if (refers && !names_constant(v)) {
     return reject(v->getLocation(), "local reference: make a copy, or name the place each time");
   }
   if ((v->isStaticLocal() && !v->isConstexpr()) || v->getTSCSpec() != TSCS_unspecified) {
@@ -208,7 +228,7 @@ std::string translator::variable(const VarDecl* v) {
     if (made->getNumArgs() == 0 && !made->requiresZeroInitialization()) init = nullptr;
   }
   if (init == nullptr) return declared;
-  const bool constant = v->getType().isConstQualified();
+  const bool constant = v->getType().isConstQualified() || refers;
   return (constant ? "const " : "") + declared + " = " + expression(init, position::whole);
 }
 

@@ -131,6 +131,7 @@ class translator {
   std::string switch_statement(const clang::SwitchStmt* s);
   std::string variables(const clang::DeclStmt* s);
   std::string variable(const clang::VarDecl* v);
+  static bool names_constant(const clang::VarDecl* v);
   std::string local_name(const clang::ValueDecl* v);
   std::string sequence(clang::Stmt::const_child_range statements, clang::SourceLocation end);
 

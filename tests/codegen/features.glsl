@@ -188,6 +188,24 @@ precise float features_limits(float x) {
   return x > 0.0 ? x : -uintBitsToFloat(0x7f800000u);
 }
 
+/// An operator is a function by another name.
+struct features_turn {
+  float cosine;
+  float sine;
+};
+
+precise features_turn features_multiply(features_turn a, features_turn b) {
+  return features_turn(a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine);
+}
+
+/// Operators, and a reference to what cannot change.
+float features_operators(features_sample_pair pair, float angle) {
+  const float value[2] = pair.value;
+  const features_turn once = features_turn(value[0], value[1]);
+  const features_turn twice = features_multiply(once, once);
+  return (features_multiply(twice, features_turn(angle, 1.0))).sine;
+}
+
 /// Constants that a compiler folds: in float, as C++ rounds them.
 precise float features_folded(float x) {
   const float tenth = 0.1;

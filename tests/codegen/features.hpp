@@ -156,6 +156,24 @@ inline void divide(std::uint32_t x, std::uint32_t by, std::uint32_t& quotient, s
   return x > 0.0f ? x : -std::numeric_limits<float>::infinity();
 }
 
+/// An operator is a function by another name.
+struct turn {
+  float cosine;
+  float sine;
+};
+
+[[nodiscard]] inline turn operator*(const turn& a, const turn& b) noexcept {
+  return turn{a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
+
+/// Operators, and a reference to what cannot change.
+[[nodiscard]] inline float operators(const sample_pair& pair, float angle) noexcept {
+  const std::array<float, 2>& value = pair.value;
+  const turn once = turn{value[0], value[1]};
+  const turn twice = once * once;
+  return (twice * turn{angle, 1.0f}).sine;
+}
+
 /// Constants that a compiler folds: in float, as C++ rounds them.
 [[nodiscard]] inline float folded(float x) noexcept {
   const float tenth = 0.1f;

@@ -42,6 +42,7 @@ TEST_CASE("Every feature of the subset means the same in GLSL") {
               out.put(features::weights[1]);
               out.put(features::half_pi<float>);
               out.put(features::folded(a.x));
+              out.put(features::operators(features::sample_pair::of(a.x, a.y), a.z));
             },
             {{"switch", 1, bits(), bits()},
              {"loops", 1, bits(), bits()},
@@ -58,7 +59,8 @@ TEST_CASE("Every feature of the subset means the same in GLSL") {
              {"static members", 1, 0, 0},
              {"tables", 1, 0, 0},
              {"variable templates", 1, 0, 0},
-             {"folded constants", 1, 0, 0}});
+             {"folded constants", 1, 0, 0},
+             {"operators", 1, 0, 0}});
   });
 }
 
