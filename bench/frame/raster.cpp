@@ -43,9 +43,7 @@ raster::outline raster::outline_of(std::uint32_t segment) const {
   const float radius = std::max(fibres_.radius[i], fibres_.radius[i + 1]);
   const segment_quad<float> quad =
       expand_segment(position_[i], position_[i + 1], radius, view_.cone, view_.near_plane, margin);
-  // A quad cannot hold a fibre that is as near as a few of its own radii. [expand_segment()]
-  const float nearest = std::max(view_.near_plane, -std::max(position_[i].z, position_[i + 1].z));
-  outline o{{}, quad.visible, !view_.perspective || 4.0F * radius < nearest};
+  outline o{{}, quad.visible, true};
   for (std::size_t k = 0; k < 4; ++k) {
     o.bounded = o.bounded && (!view_.perspective || -quad.corner[k].z >= view_.near_plane);
     o.corner[k] = view_.to_pixel(quad.corner[k]);

@@ -56,7 +56,7 @@ class raster {
   }
 
  private:
-  /// A quad on the screen. `bounded` is false when the fibre comes so near to the eye that it may be anywhere.
+  /// A quad on the screen. `bounded` is false when it reaches past the near plane and may be anywhere.
   struct outline {
     std::array<glm::vec2, 4> corner;
     bool visible, bounded;

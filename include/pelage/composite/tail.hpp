@@ -14,8 +14,9 @@ namespace pelage {
 /// integers only, so that every interleaving gives the same bits. Keeps the exact product of transmittances and the
 /// alpha-weighted mean colour; drops the order among the tail's own fragments. 20 bytes.
 ///
-/// Sums of alpha and alpha · colour are in units of 2⁻²⁰, range [0, 4096), rounded by at most 2⁻²¹ a fragment;
-/// each saturates by itself, which needs 4096 opaque white fragments in one pixel.
+/// Sums of alpha and alpha · colour are in units of 2⁻²⁰, range [0, 4096), rounded by at most 2⁻²¹ a fragment (a
+/// product above 8 by the float's own last bit); each saturates by itself, which needs 4096 opaque white fragments in
+/// one pixel.
 struct tail {
   std::uint32_t optical;  ///< Σ optical_depth(alpha)
   std::uint32_t weight;   ///< Σ alpha
@@ -27,8 +28,8 @@ struct tail {
 /// A tail that holds nothing: transmittance 1.
 [[nodiscard]] constexpr tail empty_tail() noexcept;
 
-/// The tail with one more fragment. `alpha`: opacity times coverage, held to [0, 1]. `colour`: linear RGB, held to
-/// [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
+/// The tail with one more fragment. `alpha`: opacity times coverage, held to [0, 1]. `colour`: linear RGB,
+/// [0, inf]; alpha · colour is held to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
 [[nodiscard]] constexpr tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept;
 
 /// Both tails in one. Associative and commutative, empty_tail() is the identity.
@@ -37,21 +38,12 @@ struct tail {
 /// The light that passes the whole tail, [0, 1].
 [[nodiscard]] constexpr float transmittance_of(const tail& t) noexcept;
 
-/// The mean colour of the tail's fragments, weighted by alpha; black when it is empty. What the tail adds to a pixel
+/// The mean colour of the tail's fragments, weighted by alpha; black when it is empty, or when
+/// no alpha in it reaches 2⁻²¹. What the tail adds to a pixel
 /// is this times 1 - transmittance_of(t).
 [[nodiscard]] constexpr glm::vec3 mean_colour(const tail& t) noexcept;
 
-/// x in units of 2⁻²⁰, rounded to nearest; 0 for negative and NaN, saturating at 4096.
-[[nodiscard]] constexpr std::uint32_t to_fixed(float x) noexcept;
-
 // ---------------------------------------------------------------------------------------------------------
-
-constexpr std::uint32_t to_fixed(float x) noexcept {
-  if (!(x > 0.0f)) {
-    return 0u;
-  }
-  return x < 4095.9995f ? static_cast<std::uint32_t>(x * 1048576.0f + 0.5f) : 0xffffffffu;
-}
 
 constexpr tail empty_tail() noexcept {
   return tail{0u, 0u, 0u, 0u, 0u};

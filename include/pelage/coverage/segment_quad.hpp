@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/ray_cone.hpp>
 
 #include <glm/geometric.hpp>
@@ -23,19 +24,25 @@ struct segment_quad {
 /// the ends: every pixel whose disc the fibre can touch has its centre inside, and few others. [Yu12 §4]
 ///
 /// `start`, `end`: view space. What lies nearer than the plane z = -near_plane is cut off; near_plane in (0, inf),
-/// for an orthographic cone any number. `fibre_radius`: [0, inf). `cone`: the pixel's; its disc must not be wider
-/// than a pixel. `margin`: pixels, [0.5, inf), 2 where nothing else is known.
-/// A segment parallel to the view ray, or of length 0, gives a square that faces the eye. With perspective, a
-/// fibre that reaches the eye gives a quad without bound on its size. NaN or infinite ends: not visible.
+/// for an orthographic cone any number. `fibre_radius`: [0, inf). `cone`: the pixel's, slope in [0, 1); its disc must
+/// not be wider than a pixel. `margin`: pixels, [0.5, inf), 2 where nothing else is known.
+/// A segment parallel to the view ray, or of length 0, gives a square that faces the eye. Corners may lie nearer
+/// than the near plane. NaN or infinite ends or radius: not visible.
+/// With perspective the promise holds while quad and eye span less than 170°: a fibre nearer to the eye than a few
+/// of its own radii covers a part of the sky that no quad can.
 template <std::floating_point Real>
 [[nodiscard]] segment_quad<Real> expand_segment(const glm::vec<3, Real>& start, const glm::vec<3, Real>& end,
                                                 Real fibre_radius, ray_cone<Real> cone, Real near_plane,
                                                 Real margin) noexcept;
 
-/// How far to go from a point of the axis, at right angles to the view ray, to clear the fibre and the margin.
+/// What the fibre and the margin take up round a point of the axis at this view depth.
 template <std::floating_point Real>
-[[nodiscard]] Real half_width_at(const glm::vec<3, Real>& point, Real fibre_radius, ray_cone<Real> cone,
-                                 Real margin) noexcept;
+[[nodiscard]] Real reach_at(Real depth, Real fibre_radius, ray_cone<Real> cone, Real margin) noexcept;
+
+/// How much farther the cone of sight that touches a ball reaches beside the ball's centre than the ball itself.
+/// `reach`: the ball's radius over the distance of its centre from the eye, [0, 1); from there on: 1000.
+template <std::floating_point Real>
+[[nodiscard]] Real tangent_stretch(Real reach) noexcept;
 
 /// A unit vector at right angles to a unit vector.
 template <std::floating_point Real>
@@ -44,16 +51,15 @@ template <std::floating_point Real>
 // ---------------------------------------------------------------------------------------------------------
 
 template <std::floating_point Real>
-Real half_width_at(const glm::vec<3, Real>& point, Real fibre_radius, ray_cone<Real> cone, Real margin) noexcept {
-  const Real pixels = Real(2) * margin * radius_at(cone, -point.z);
-  if (cone.slope == Real(0)) {
-    return fibre_radius + pixels;
-  }
-  // The cone of sight that touches a sphere is wider than the sphere's radius at its centre.
-  const Real distance2 = glm::dot(point, point);
-  const Real least = Real(1e-6) * distance2;
-  const Real clear = distance2 - fibre_radius * fibre_radius;
-  return fibre_radius * std::sqrt(distance2 / (clear > least ? clear : least)) + pixels;
+Real reach_at(Real depth, Real fibre_radius, ray_cone<Real> cone, Real margin) noexcept {
+  // A pixel's disc may lie deeper than the point it touches by up to this very reach, and is the wider for it.
+  return (fibre_radius + Real(2) * margin * radius_at(cone, depth)) / (Real(1) - cone.slope);
+}
+
+template <std::floating_point Real>
+Real tangent_stretch(Real reach) noexcept {
+  const Real cosine2 = (Real(1) - reach) * (Real(1) + reach);
+  return cosine2 > Real(1e-6) ? Real(1) / std::sqrt(cosine2) : Real(1000);
 }
 
 template <std::floating_point Real>
@@ -70,7 +76,7 @@ segment_quad<Real> expand_segment(const glm::vec<3, Real>& start, const glm::vec
   const glm::vec<3, Real> zero = glm::vec<3, Real>(Real(0));
   segment_quad<Real> quad = segment_quad<Real>{std::array<glm::vec<3, Real>, 4>{zero, zero, zero, zero}, false};
   const glm::vec<3, Real> span = end - start;
-  const Real check = (glm::dot(start, start) + glm::dot(end, end)) * Real(0);
+  const Real check = (glm::dot(start, start) + glm::dot(end, end) + fibre_radius) * Real(0);
   const bool start_in = -start.z >= near_plane;
   const bool end_in = -end.z >= near_plane;
   if (check != Real(0) || (!start_in && !end_in)) {
@@ -84,33 +90,44 @@ segment_quad<Real> expand_segment(const glm::vec<3, Real>& start, const glm::vec
 
   const glm::vec<3, Real> ahead = glm::vec<3, Real>(Real(0), Real(0), Real(-1));
   const bool perspective = cone.slope > Real(0);
-  const glm::vec<3, Real> first_view = perspective ? glm::normalize(first) : ahead;
-  const glm::vec<3, Real> last_view = perspective ? glm::normalize(last) : ahead;
+  const Real first_distance = perspective ? glm::length(first) : Real(1);
+  const Real last_distance = perspective ? glm::length(last) : Real(1);
+  const glm::vec<3, Real> first_view = perspective ? first / first_distance : ahead;
+  const glm::vec<3, Real> last_view = perspective ? last / last_distance : ahead;
 
   // One normal of the plane through the eye and the segment serves both ends; it vanishes where the segment is
-  // seen end on, and any side will do there.
+  // seen end on, and any side will do there. Where it is short, rounding has tilted it toward the view.
   const glm::vec<3, Real> plane = glm::cross(first_view, perspective ? last_view : span);
   const Real plane_length = glm::length(plane);
-  const Real end_on = perspective ? Real(1e-6) : Real(1e-6) * glm::length(span);
-  const glm::vec<3, Real> side = plane_length > end_on ? plane / plane_length : any_normal(first_view);
+  const Real end_on = perspective ? Real(1e-6) : Real(1e-18);
+  const glm::vec<3, Real> upright = plane - glm::dot(plane, first_view) * first_view;
+  const glm::vec<3, Real> side = plane_length > end_on ? glm::normalize(upright) : any_normal(first_view);
   const glm::vec<3, Real> first_along = glm::cross(side, first_view);
   const glm::vec<3, Real> last_along = glm::cross(side, last_view);
 
-  // The wider of the two ends, as seen, serves both: a near end can hide a far one whole.
-  Real first_width = half_width_at(first, fibre_radius, cone, margin);
-  Real last_width = half_width_at(last, fibre_radius, cone, margin);
+  // The wider of the two ends, as seen, serves both: a near end can hide a far one whole. What lies between them is
+  // no wider, as distance is convex, but for the stretch, which is greatest where the axis is nearest to the eye.
+  const Real first_seen = reach_at(-first.z, fibre_radius, cone, margin) / first_distance;
+  const Real last_seen = reach_at(-last.z, fibre_radius, cone, margin) / last_distance;
+  Real seen = first_seen > last_seen ? first_seen : last_seen;
+  Real past = seen;
   if (perspective) {
-    const Real first_seen = first_width / glm::length(first);
-    const Real last_seen = last_width / glm::length(last);
-    const Real seen = first_seen > last_seen ? first_seen : last_seen;
-    first_width = seen * glm::length(first);
-    last_width = seen * glm::length(last);
+    // Of a ray backwards from the eye, that is, of the eye itself.
+    const Real nearest = closest_points(zero, -ahead, first, last).distance;
+    seen = seen * tangent_stretch(reach_at(nearest, fibre_radius, cone, margin) / nearest);
+    // Ends that lie far apart, seen from the eye, must not go round behind it.
+    const Real room = Real(0.9) * (Real(1) + glm::dot(first_view, last_view));
+    past = seen * plane_length > room ? room / plane_length : seen;
   }
 
-  quad.corner[0] = first - first_width * first_along - first_width * side;
-  quad.corner[1] = first - first_width * first_along + first_width * side;
-  quad.corner[2] = last + last_width * last_along + last_width * side;
-  quad.corner[3] = last + last_width * last_along - last_width * side;
+  const Real first_width = seen * first_distance;
+  const Real last_width = seen * last_distance;
+  const glm::vec<3, Real> first_tip = first - past * first_distance * first_along;
+  const glm::vec<3, Real> last_tip = last + past * last_distance * last_along;
+  quad.corner[0] = first_tip - first_width * side;
+  quad.corner[1] = first_tip + first_width * side;
+  quad.corner[2] = last_tip + last_width * side;
+  quad.corner[3] = last_tip - last_width * side;
   quad.visible = true;
   return quad;
 }

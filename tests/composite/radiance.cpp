@@ -1,0 +1,85 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/composite/radiance.hpp>
+
+#include "composite/layers.hpp"
+#include "property.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace pelage::test {
+
+struct lit_fibre {
+  glm::vec3 scattered, attenuation;
+  float coverage;
+};
+
+std::vector<lit_fibre> draw_fibres() {
+  std::vector<lit_fibre> fibres(*rc::gen::inRange<std::size_t>(0u, 60u));
+  for (lit_fibre& each : fibres) {
+    each.scattered = draw_colour();
+    each.attenuation = draw_colour();
+    each.coverage = draw_share();
+  }
+  return fibres;
+}
+
+pixel_radiance<float> gathered(const std::vector<lit_fibre>& fibres) {
+  pixel_radiance<float> pixel = empty_pixel<float>();
+  for (const lit_fibre& each : fibres) {
+    pixel = add_fibre(pixel, each.scattered, each.attenuation, each.coverage);
+  }
+  return pixel;
+}
+
+/// The product of transmittances of the first `count` fibres, in double.
+glm::dvec3 passed_by(const std::vector<lit_fibre>& fibres, std::size_t count) {
+  glm::dvec3 passed(1.0);
+  for (std::size_t j = 0u; j < count; ++j) {
+    const double coverage = fibres[j].coverage;
+    passed *= glm::dvec3(fibres[j].attenuation) * coverage + (1.0 - coverage);
+  }
+  return passed;
+}
+
+TEST_CASE("an empty pixel shows the background") {
+  CHECK(resolve(empty_pixel<float>(), glm::vec3(0.1f, 0.2f, 0.3f)) == glm::vec3(0.1f, 0.2f, 0.3f));
+}
+
+TEST_CASE("fibres added front to back give the sum of Yu12 Eq. 5") {
+  holds("each by what passes those before it, in double", [] {
+    const std::vector<lit_fibre> fibres = draw_fibres();
+    const glm::vec3 background = draw_colour();
+    const std::size_t count = fibres.size();
+    glm::dvec3 sum = passed_by(fibres, count) * glm::dvec3(background);
+    for (std::size_t i = 0u; i < count; ++i) {
+      const glm::dvec3 stopped = (1.0 - glm::dvec3(fibres[i].attenuation)) * static_cast<double>(fibres[i].coverage);
+      sum += stopped * glm::dvec3(fibres[i].scattered) * passed_by(fibres, i);
+    }
+    RC_ASSERT(glm::length(glm::dvec3(resolve(gathered(fibres), background)) - sum) < 2e-6);
+  });
+}
+
+TEST_CASE("in a white furnace the pixel is white") {
+  holds("whatever lies in it", [] {
+    std::vector<lit_fibre> fibres = draw_fibres();
+    for (lit_fibre& each : fibres) {
+      each.scattered = glm::vec3(1.0f);
+    }
+    RC_ASSERT(glm::length(resolve(gathered(fibres), glm::vec3(1.0f)) - glm::vec3(1.0f)) < 2e-6f);
+  });
+}
+
+TEST_CASE("the transmittance is the fibres' product") {
+  holds("in double", [] {
+    const std::vector<lit_fibre> fibres = draw_fibres();
+    const glm::dvec3 passed = passed_by(fibres, fibres.size());
+    RC_ASSERT(glm::length(glm::dvec3(gathered(fibres).transmittance) - passed) < 2e-6);
+  });
+}
+
+}  // namespace pelage::test

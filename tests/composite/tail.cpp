@@ -1,0 +1,176 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/composite/tail.hpp>
+
+#include "composite/layers.hpp"
+#include "property.hpp"
+#include "sweep.hpp"
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace pelage::test {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+static_assert(sizeof(tail) == 20);
+static_assert(transmittance_of(add_fragment(empty_tail(), 0.5f, glm::vec3(1.0f))) == 0.5f);
+
+std::array<std::uint32_t, 5> bits(const tail& t) {
+  return std::bit_cast<std::array<std::uint32_t, 5>>(t);
+}
+
+tail tail_of(const std::vector<layer>& layers) {
+  tail t = empty_tail();
+  for (const layer& each : layers) {
+    t = add_fragment(t, each.alpha, each.colour);
+  }
+  return t;
+}
+
+/// Layers that at times fill a tail's sums to the brim.
+std::vector<layer> draw_bright_layers() {
+  std::vector<layer> layers = draw_layers();
+  const float brightness = *rc::gen::element(1.0f, 300.0f, 5000.0f, 1e30f);
+  for (layer& each : layers) {
+    each.colour *= brightness;
+  }
+  return layers;
+}
+
+/// The layers' tails merged two by two, at random, until one is left.
+tail merged_at_random(const std::vector<layer>& layers) {
+  std::vector<tail> parts{empty_tail()};
+  for (const layer& each : layers) {
+    parts.push_back(add_fragment(empty_tail(), each.alpha, each.colour));
+  }
+  while (parts.size() > 1u) {
+    const tail last = parts.back();
+    parts.pop_back();
+    tail& other = parts[*rc::gen::inRange<std::size_t>(0u, parts.size())];
+    other = *rc::gen::arbitrary<bool>() ? merge(other, last) : merge(last, other);
+  }
+  return parts.front();
+}
+
+TEST_CASE("any order of arrival gives the same bits, saturated or not") {
+  holds("shuffled", [] {
+    const std::vector<layer> layers = draw_bright_layers();
+    std::vector<layer> shuffled = layers;
+    std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(*rc::gen::arbitrary<std::uint32_t>()));
+    RC_ASSERT(bits(tail_of(shuffled)) == bits(tail_of(layers)));
+  });
+}
+
+TEST_CASE("any tree of merges gives the same bits, saturated or not") {
+  holds("merged two by two", [] {
+    const std::vector<layer> layers = draw_bright_layers();
+    RC_ASSERT(bits(merged_at_random(layers)) == bits(tail_of(layers)));
+  });
+}
+
+/// A sum in units of 2⁻²⁰, each term rounded to the nearest, held to the end of the range once at the end.
+struct wide_sum {
+  std::uint64_t units = 0u;
+
+  void add(float x) { units += static_cast<std::uint64_t>(std::floor(1048576.0 * std::min(x, 5000.0f) + 0.5)); }
+  std::uint32_t held() const { return static_cast<std::uint32_t>(std::min<std::uint64_t>(units, 0xffffffffu)); }
+};
+
+TEST_CASE("every sum is that of 64-bit integers, held to the end of the range by itself") {
+  holds("sums of alpha and of alpha times colour", [] {
+    const std::vector<layer> layers = draw_bright_layers();
+    wide_sum weight, red, green, blue;
+    for (const layer& each : layers) {
+      const glm::vec3 share = each.alpha > 0.0f ? each.alpha * each.colour : glm::vec3(0.0f);
+      weight.add(each.alpha);
+      red.add(share.x);
+      green.add(share.y);
+      blue.add(share.z);
+    }
+    const tail t = tail_of(layers);
+    RC_ASSERT(t.weight == weight.held());
+    RC_ASSERT(t.red == red.held() && t.green == green.held() && t.blue == blue.held());
+  });
+}
+
+TEST_CASE("4096 opaque white fragments fill the range, one fewer does not") {
+  const std::vector<layer> layers(4095u, layer{1.0f, glm::vec3(1.0f, 0.5f, 1.0f)});
+  tail t = tail_of(layers);
+  CHECK(bits(t) == std::array<std::uint32_t, 5>{0xffffffffu, 4095u << 20u, 4095u << 20u, 4095u << 19u, 4095u << 20u});
+  t = add_fragment(t, 1.0f, glm::vec3(1.0f, 0.5f, 1.0f));
+  CHECK(bits(t) == std::array<std::uint32_t, 5>{0xffffffffu, 0xffffffffu, 0xffffffffu, 1u << 31u, 0xffffffffu});
+}
+
+TEST_CASE("the transmittance is the product of 1 - alpha") {
+  holds("within 3.4e-7 a fragment, and 1e-7 of its octaves", [] {
+    const std::vector<layer> layers = draw_layers(0.9f);
+    double product = 1.0;
+    double tolerance = 1e-7;
+    for (const layer& each : layers) {
+      product *= 1.0 - each.alpha;
+      tolerance += 3.4e-7 + 1e-7 * (1.0 - std::log2(1.0 - each.alpha));
+    }
+    RC_ASSERT(relative_error(transmittance_of(tail_of(layers)), product) < tolerance);
+  });
+}
+
+TEST_CASE("an empty tail passes all, shows black, and changes nothing it is merged with") {
+  CHECK(transmittance_of(empty_tail()) == 1.0f);
+  CHECK(mean_colour(empty_tail()) == glm::vec3(0.0f));
+  holds("identity", [] {
+    const tail t = tail_of(draw_bright_layers());
+    RC_ASSERT(bits(merge(t, empty_tail())) == bits(t) && bits(merge(empty_tail(), t)) == bits(t));
+  });
+}
+
+TEST_CASE("the mean colour is weighted by alpha") {
+  holds("mean in double, within half a unit for each term of both sums", [] {
+    const std::vector<layer> layers = draw_layers();
+    glm::dvec3 sum(0.0);
+    double weight = 0.0;
+    for (const layer& each : layers) {
+      sum += static_cast<double>(each.alpha) * glm::dvec3(each.colour);
+      weight += each.alpha;
+    }
+    RC_PRE(weight > 1e-3);
+    const glm::dvec3 error = glm::dvec3(mean_colour(tail_of(layers))) - sum / weight;
+    const double rounding = 0x1p-20 * static_cast<double>(layers.size()) / weight + 2e-7;
+    RC_ASSERT(std::abs(error.x) <= rounding && std::abs(error.y) <= rounding && std::abs(error.z) <= rounding);
+  });
+}
+
+TEST_CASE("alphas below 2^-21 are too small for the sums") {
+  const tail t = add_fragment(empty_tail(), 0.99f * 0x1p-21f, glm::vec3(1.0f));
+  CHECK(mean_colour(t) == glm::vec3(0.0f));
+  CHECK(mean_colour(add_fragment(empty_tail(), 0x1p-21f, glm::vec3(1.0f))) == glm::vec3(1.0f));
+}
+
+TEST_CASE("alpha is held to [0, 1], NaN counts as 0") {
+  const glm::vec3 colour(0.5f, 0.25f, 1.0f);
+  for (const float none : {-1.0f, -inf, nan}) {
+    CHECK(bits(add_fragment(empty_tail(), none, colour)) == bits(empty_tail()));
+  }
+  for (const float all : {2.0f, inf}) {
+    CHECK(bits(add_fragment(empty_tail(), all, colour)) == bits(add_fragment(empty_tail(), 1.0f, colour)));
+  }
+}
+
+TEST_CASE("NaN and negative colours count as 0, and alpha times colour is held to 4096") {
+  const tail t = add_fragment(empty_tail(), 0.5f, glm::vec3(nan, -1.0f, inf));
+  CHECK((t.red == 0u && t.green == 0u && t.blue == 0xffffffffu));
+  CHECK(add_fragment(empty_tail(), 0.5f, glm::vec3(8000.0f)).red == 4000u << 20u);
+  CHECK(add_fragment(empty_tail(), 0.0f, glm::vec3(inf)).red == 0u);
+}
+
+}  // namespace pelage::test

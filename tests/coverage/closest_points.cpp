@@ -1,0 +1,161 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/coverage/closest_points.hpp>
+
+#include "property.hpp"
+#include "sweep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace pelage::test {
+
+template <class Real>
+struct ray_and_segment {
+  glm::vec<3, Real> origin, direction, start, end;
+
+  /// How far apart things are, by which rounding is measured.
+  Real size() const { return glm::length(start - origin) + glm::length(end - origin); }
+};
+
+glm::dvec3 any_vector() {
+  const auto coordinate = [] { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-1000, 1001)) * 0.001; };
+  const double x = coordinate();
+  const double y = coordinate();
+  return glm::dvec3(x, y, coordinate());
+}
+
+/// A ray from about the segment's neighbourhood, at times parallel to it, at times along one axis, of any length.
+template <class Real>
+ray_and_segment<Real> any_ray_and_segment() {
+  const double scale = std::pow(10.0, *rc::gen::inRange(-4, 5));
+  const glm::dvec3 origin = scale * any_vector();
+  const glm::dvec3 start = scale * any_vector();
+  const glm::dvec3 end = *rc::gen::element(0.0, 1e-3, 1.0) * scale * any_vector() + start;
+  const glm::dvec3 along = end - start;
+  glm::dvec3 direction = *rc::gen::element(any_vector(), along, -along, along + 1e-4 * scale * any_vector());
+  direction *= std::pow(10.0, *rc::gen::inRange(-3, 4));
+  RC_PRE(glm::length(direction) > 1e-6);
+  using vector = glm::vec<3, Real>;
+  return {vector(origin), vector(direction), vector(start), vector(end)};
+}
+
+template <class Real>
+closest_pair<Real> closest_of(const ray_and_segment<Real>& in) {
+  return closest_points(in.origin, in.direction, in.start, in.end);
+}
+
+using exact_vector = glm::vec<3, long double>;
+
+/// The least distance by search: that of a point on the segment from a ray is convex, so thirds close in on it.
+template <class Real>
+long double searched_distance(const ray_and_segment<Real>& in) {
+  const exact_vector origin = in.origin;
+  const exact_vector direction = glm::normalize(exact_vector(in.direction));
+  const auto distance_at = [&](long double s) {
+    const exact_vector point = exact_vector(in.start) + s * (exact_vector(in.end) - exact_vector(in.start));
+    const long double along = std::max(0.0L, glm::dot(point - origin, direction));
+    return glm::length(point - origin - along * direction);
+  };
+  long double low = 0.0L;
+  long double high = 1.0L;
+  while (high - low > 1e-15L) {
+    const long double third = (high - low) / 3.0L;
+    if (distance_at(low + third) < distance_at(high - third)) {
+      high -= third;
+    } else {
+      low += third;
+    }
+  }
+  return std::min({distance_at(low), distance_at(0.0L), distance_at(1.0L)});
+}
+
+/// The distance between the two points that a pair names.
+template <class Real>
+long double distance_named(const ray_and_segment<Real>& in, closest_pair<Real> pair) {
+  const exact_vector on_ray =
+      exact_vector(in.origin) + static_cast<long double>(pair.along_ray) * exact_vector(in.direction);
+  const exact_vector axis = exact_vector(in.end) - exact_vector(in.start);
+  return glm::length(exact_vector(in.start) + static_cast<long double>(pair.along_segment) * axis - on_ray);
+}
+
+template <class Real>
+void check_that_none_is_closer() {
+  const ray_and_segment<Real> in = any_ray_and_segment<Real>();
+  const closest_pair<Real> pair = closest_of(in);
+  const long double tolerance = 8 * std::numeric_limits<Real>::epsilon() * in.size();
+  RC_ASSERT(std::abs(pair.distance - searched_distance(in)) <= tolerance);
+  RC_ASSERT(std::abs(pair.distance - distance_named(in, pair)) <= tolerance);
+  RC_ASSERT(pair.along_ray >= Real(0) && pair.along_segment >= Real(0) && pair.along_segment <= Real(1));
+}
+
+TEST_CASE("no two points of ray and segment are closer, by search, within 8 ulp of their distance from the origin") {
+  holds("in float", check_that_none_is_closer<float>);
+  holds("in double", check_that_none_is_closer<double>);
+}
+
+TEST_CASE("a longer direction only rescales the depth") {
+  holds("bit for bit, by powers of two", [] {
+    ray_and_segment<float> in = any_ray_and_segment<float>();
+    const closest_pair<float> pair = closest_of(in);
+    in.direction *= 8.0f;
+    const closest_pair<float> scaled = closest_of(in);
+    RC_ASSERT(scaled.along_ray * 8.0f == pair.along_ray);
+    RC_ASSERT(scaled.along_segment == pair.along_segment && scaled.distance == pair.distance);
+  });
+}
+
+TEST_CASE("with direction.z = -1 from the eye the depth is view depth") {
+  holds("of the ray's point", [] {
+    const glm::vec3 seen = glm::vec3(any_vector()) - glm::vec3(0.0f, 0.0f, 2.0f);
+    const glm::vec3 direction = seen / -seen.z;
+    // A segment through the ray's point, at right angles to the ray, is nearest there.
+    const glm::vec3 side = glm::cross(direction, glm::vec3(0.6f, 0.8f, 0.0f));
+    const closest_pair<float> pair = closest_points(glm::vec3(0.0f), direction, seen - side, seen + side);
+    RC_ASSERT(relative_error(pair.along_ray, -seen.z) < 1e-6);
+    RC_ASSERT(std::abs(pair.along_segment - 0.5f) < 1e-6f);
+  });
+}
+
+TEST_CASE("of a parallel segment the point nearest to the ray's origin is meant, either way round") {
+  const glm::vec3 origin(0.0f);
+  const glm::vec3 direction(0.0f, 0.0f, -2.0f);
+  const auto at = [](float z) { return glm::vec3(3.0f, 0.0f, z); };
+  const auto is = [](closest_pair<float> pair, float along_ray, float along_segment, float distance) {
+    return pair.along_ray == along_ray && pair.along_segment == along_segment && pair.distance == distance;
+  };
+  CHECK(is(closest_points(origin, direction, at(-4.0f), at(-8.0f)), 2.0f, 0.0f, 3.0f));
+  CHECK(is(closest_points(origin, direction, at(-8.0f), at(-4.0f)), 2.0f, 1.0f, 3.0f));
+  CHECK(is(closest_points(origin, direction, at(1.0f), at(-3.0f)), 0.0f, 0.25f, 3.0f));
+  CHECK(is(closest_points(origin, direction, at(-3.0f), at(1.0f)), 0.0f, 0.75f, 3.0f));
+  CHECK(is(closest_points(origin, direction, at(4.0f), at(8.0f)), 0.0f, 0.0f, 5.0f));
+  CHECK(is(closest_points(origin, direction, at(8.0f), at(4.0f)), 0.0f, 1.0f, 5.0f));
+}
+
+TEST_CASE("a segment of length 0 is a point") {
+  holds("its distance from the ray", [] {
+    ray_and_segment<float> in = any_ray_and_segment<float>();
+    in.end = in.start;
+    const closest_pair<float> pair = closest_of(in);
+    RC_ASSERT(pair.along_segment == 0.0f);
+    RC_ASSERT(std::abs(pair.distance - searched_distance(in)) <= 1e-6f * in.size());
+  });
+}
+
+TEST_CASE("NaN anywhere gives a NaN depth and distance, and a place on the segment") {
+  for (std::size_t i = 0; i < 12; ++i) {
+    ray_and_segment<float> in{glm::vec3(0.0f), glm::vec3(0.1f, 0.2f, -1.0f), glm::vec3(1.0f, 2.0f, -3.0f),
+                              glm::vec3(2.0f, -1.0f, -4.0f)};
+    glm::vec3& vector = *std::array<glm::vec3*, 4>{&in.origin, &in.direction, &in.start, &in.end}[i / 3];
+    vector[static_cast<int>(i % 3)] = std::numeric_limits<float>::quiet_NaN();
+    const closest_pair<float> pair = closest_of(in);
+    CHECK(std::isnan(pair.along_ray));
+    CHECK(std::isnan(pair.distance));
+    CHECK((pair.along_segment >= 0.0f && pair.along_segment <= 1.0f));
+  }
+}
+
+}  // namespace pelage::test

@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/shadow_map.hpp"
+
+#include "frame/fibres.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace pelage::test {
+
+using namespace frame;
+
+constexpr int texels = 16;
+
+/// A light that shines along -z on fibres round the origin, and on a ball now and then.
+struct lit_fibres {
+  strands fibres = fibres_of(any_lines(10, glm::vec3(0.0F), 8.0F), any_float(0.05F, 1.0F), any_float(0.0F, 1.0F));
+  view light = flat_view(texels);
+  raster fragments{fibres, light, true};
+  solids opaque;
+
+  lit_fibres() {
+    if (*rc::gen::arbitrary<bool>()) opaque.parts.push_back({any_vec3(-4.0F, 4.0F), glm::vec3(any_float(1.0F, 4.0F))});
+  }
+
+  [[nodiscard]] shadow_map map(order_method method, std::uint32_t k) const {
+    shadow_map made(fragments, opaque, k);
+    run_order_pass(fragments, made.limit(), {method, k, {}}, made);
+    return made;
+  }
+
+  /// The point at a depth on the ray through pixel coordinates.
+  [[nodiscard]] glm::vec3 point(float x, float y, float depth) const {
+    const view_ray ray = light.ray({x, y});
+    return light.eye + light.direction_to_world(ray.origin + depth * ray.direction);
+  }
+  [[nodiscard]] glm::vec3 centre(int x, int y, float depth) const {
+    return point(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, depth);
+  }
+
+  /// The depths of a texel's fragments in front of the ball, each with what passes the fragment.
+  [[nodiscard]] std::vector<std::pair<float, double>> fragments_of(int x, int y, const shadow_map& map) const {
+    std::vector<std::pair<float, double>> found;
+    for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
+      const touch t = fragments.at(s, x, y);
+      if (t.coverage > 0.0F && t.depth < map.limit()[static_cast<std::size_t>(y * texels + x)]) {
+        found.emplace_back(t.depth, 1.0 - static_cast<double>(fragments.mix(fibres.opacity, s, t.along) * t.coverage));
+      }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+};
+
+double product(const std::vector<std::pair<float, double>>& fragments, float nearer_than) {
+  double passed = 1.0;
+  for (const auto& [depth, transmittance] : fragments) passed *= depth < nearer_than ? transmittance : 1.0;
+  return passed;
+}
+
+/// A texel that has neighbours to the right and below, as the map reads four.
+int any_texel() { return *rc::gen::inRange(0, texels - 1); }
+
+/// In steps that float subtracts without rounding.
+float any_depth() { return static_cast<float>(*rc::gen::inRange(1, 4096)) / 128.0F; }
+
+TEST_CASE("with all fragments kept a texel passes the product of what is nearer, and nothing behind an opaque object") {
+  holds("brute force at texel centres", [] {
+    const lit_fibres scene;
+    const shadow_map map = scene.map(order_method::full_sort, 1);
+    for (int repeat = 0; repeat < 50; ++repeat) {
+      const int x = any_texel();
+      const int y = any_texel();
+      const float depth = any_depth();
+      const bool hidden = depth > map.limit()[static_cast<std::size_t>(y * texels + x)];
+      const double passed = hidden ? 0.0 : product(scene.fragments_of(x, y, map), depth);
+      RC_ASSERT(std::abs(static_cast<double>(map.transmittance_to(scene.centre(x, y, depth), 0.0F)) - passed) < 1e-5);
+    }
+  });
+}
+
+TEST_CASE("with K kept a texel is exact among them, then falls, and is exact again behind the farthest") {
+  holds("the tail", [] {
+    lit_fibres scene;
+    scene.opaque.parts.clear();
+    const std::uint32_t k = *rc::gen::element(1U, 2U, 4U);
+    const shadow_map map = scene.map(*rc::gen::element(order_method::k_buffer, order_method::a_buffer), k);
+    const int x = any_texel();
+    const int y = any_texel();
+    const auto fragments = scene.fragments_of(x, y, map);
+    const float kept_to = fragments.size() > k ? fragments[k - 1].first : 1e30F;
+    const float farthest = fragments.empty() ? 0.0F : fragments.back().first;
+    const double total = product(fragments, 1e30F);
+    for (float depth = 0.0F; depth < 32.0F; depth += 0.0625F) {
+      const double passed = static_cast<double>(map.transmittance_to(scene.centre(x, y, depth), 0.0F));
+      if (depth <= kept_to || depth > farthest) {
+        RC_ASSERT(std::abs(passed - product(fragments, depth)) < 1e-5);
+      } else {
+        RC_ASSERT((passed >= total - 1e-5 && passed <= product(fragments, kept_to) + 1e-5));
+      }
+    }
+  });
+}
+
+TEST_CASE("what passes never rises with depth, stays in [0, 1], and is 1 before the first fragment") {
+  holds("any place, any K", [] {
+    const lit_fibres scene;
+    const shadow_map map = scene.map(order_method::k_buffer, *rc::gen::element(1U, 2U, 4U, 64U));
+    const float x = any_float(-2.0F, texels + 2.0F);
+    const float y = any_float(-2.0F, texels + 2.0F);
+    float before = 1.0F;
+    RC_ASSERT(map.transmittance_to(scene.point(x, y, -1.0F), 0.0F) == 1.0F);
+    RC_ASSERT(map.transmittance_to(scene.point(x, y, 0.5F), 0.0F) == 1.0F);
+    for (float depth = 0.0F; depth < 32.0F; depth += 0.125F) {
+      const float passed = map.transmittance_to(scene.point(x, y, depth), 0.0F);
+      RC_ASSERT((passed <= before && passed >= 0.0F));
+      before = passed;
+    }
+  });
+}
+
+TEST_CASE("outside the map everything is lit") {
+  holds("beside the texels' centres", [] {
+    const lit_fibres scene;
+    const shadow_map map = scene.map(order_method::k_buffer, 4);
+    const float along = any_float(-4.0F, texels + 4.0F);
+    const float beside = *rc::gen::arbitrary<bool>() ? any_float(-4.0F, 0.49F) : any_float(texels - 0.49F, texels + 4.0F);
+    RC_ASSERT(map.transmittance_to(scene.point(along, beside, 31.0F), 0.0F) == 1.0F);
+    RC_ASSERT(map.transmittance_to(scene.point(beside, along, 31.0F), 0.0F) == 1.0F);
+  });
+}
+
+TEST_CASE("between texels' centres it is their bilinear mean, and a bias asks nearer to the light") {
+  holds("mean and bias", [] {
+    const lit_fibres scene;
+    const shadow_map map = scene.map(order_method::k_buffer, 4);
+    const int x = any_texel();
+    const int y = any_texel();
+    const float depth = any_depth();
+    const auto at = [&](int dx, int dy) {
+      const int column = std::min(x + dx, texels - 2);  // the last centre is outside
+      const int row = std::min(y + dy, texels - 2);
+      return map.transmittance_to(scene.centre(column, row, depth), 0.0F);
+    };
+    const float u = static_cast<float>(*rc::gen::inRange(0, x + 1 < texels - 1 ? 8 : 1)) / 8.0F;
+    const float v = static_cast<float>(*rc::gen::inRange(0, y + 1 < texels - 1 ? 8 : 1)) / 8.0F;
+    const float mean = glm::mix(glm::mix(at(0, 0), at(1, 0), u), glm::mix(at(0, 1), at(1, 1), u), v);
+    const auto passed = [&](float to, float bias) {
+      return map.transmittance_to(
+          scene.point(static_cast<float>(x) + 0.5F + u, static_cast<float>(y) + 0.5F + v, to), bias);
+    };
+    RC_ASSERT(std::abs(passed(depth, 0.0F) - mean) < 1e-6F);
+    RC_ASSERT(passed(depth, 0.25F) == passed(depth - 0.25F, 0.0F));
+  });
+}
+
+}  // namespace pelage::test
