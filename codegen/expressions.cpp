@@ -22,11 +22,6 @@ std::string with_point(std::string digits) {
   return digits;
 }
 
-bool has_size(const Stmt* s) {
-  if (isa<SubstNonTypeTemplateParmExpr>(s)) return true;
-  return std::any_of(s->child_begin(), s->child_end(), [](const Stmt* c) { return c != nullptr && has_size(c); });
-}
-
 std::string shortest(float value) {
   if (std::isinf(value)) return value > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
   if (std::isnan(value)) return "uintBitsToFloat(0x7fc00000u)";
@@ -36,6 +31,11 @@ std::string shortest(float value) {
 }
 
 }  // namespace
+
+bool has_size(const Stmt* s) {
+  if (isa<SubstNonTypeTemplateParmExpr>(s)) return true;
+  return std::any_of(s->child_begin(), s->child_end(), [](const Stmt* c) { return c != nullptr && has_size(c); });
+}
 
 std::string translator::reject(SourceLocation where, const std::string& reason) {
   found_.add(where, reason);

@@ -42,7 +42,8 @@ template ray_cone<float> perspective_cone(float, int) noexcept;
 template ray_cone<float> orthographic_cone(float, int) noexcept;
 template float radius_at(ray_cone<float>, float) noexcept;
 template segment_quad<float> expand_segment(const vec3&, const vec3&, float, ray_cone<float>, float, float) noexcept;
-template float half_width_at(const vec3&, float, ray_cone<float>, float) noexcept;
+template float reach_at(float, float, ray_cone<float>, float) noexcept;
+template float tangent_stretch(float) noexcept;
 template vec3 any_normal(const vec3&) noexcept;
 
 // order

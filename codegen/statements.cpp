@@ -46,11 +46,7 @@ std::string translator::statement(const Stmt* s) {
   if (const auto* i = dyn_cast<IfStmt>(s)) {
     if (i->hasInitStorage() || i->hasVarStorage()) return reject(s->getBeginLoc(), "declaration inside `if`");
     if (i->isConstexpr()) {
-      std::set<std::string> sizes;
-      fresh_->sizes.swap(sizes);
-      (void)expression(i->getCond());
-      fresh_->sizes.swap(sizes);
-      if (!sizes.empty()) {
+      if (has_size(i->getCond())) {
         return reject(s->getBeginLoc(), "`if constexpr` over a size: the size is lost, use a plain `if`");
       }
       bool taken = false;

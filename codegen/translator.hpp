@@ -32,6 +32,9 @@ struct glsl_type {
 /// C++ and GLSL leave open each in its own way, would show.
 enum class position { whole, part };
 
+/// True where a template's integer parameter stands in a statement, which a shader may set otherwise.
+[[nodiscard]] bool has_size(const clang::Stmt* s);
+
 /// Translates definitions into the entities of units. Every instantiation that is reached is translated; two of one
 /// template must come out alike, which proves that no size or type was lost on the way.
 class translator {

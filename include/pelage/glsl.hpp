@@ -29,14 +29,15 @@ precise float pelage_safe_sqrt(float x);
 float pelage_saturate(float x);
 
 /// log₂ x from + − × alone, so that every machine agrees on its bits. For normal x > 0 within
-/// 1.5e-7 · max(1, |log₂ x|). Zero, denormals and negatives give -126, the least exponent; NaN gives NaN, +inf 128.
+/// 1e-7 · max(1, |log₂ x|). Zero, denormals and negatives give -126, the least exponent; NaN gives NaN, +inf 128.
 precise float pelage_fast_log2(float x);
 
-/// 2ˣ from + − × alone, relative error below 2e-7 for x in [-126, 128). Below: 0. From 128 on: +inf. NaN gives NaN.
+/// 2ˣ from + − × alone, relative error below 1e-7 for x in [-126, 128). Below: 0. From 128 on: +inf. NaN gives NaN.
 precise float pelage_fast_exp2(float x);
 
-/// xʸ for a base in [0, 1] and an exponent ≥ 0, as a highlight's lobe needs it: 0⁰ is 1, 0ʸ is 0. Relative error
-/// below 1e-7 · (2 + y |log₂ x|) where the result is normal; smaller results are 0. NaN or a negative base count as 0.
+/// xʸ for a base in [0, 1] and an exponent in [0, inf), as a highlight's lobe needs it: 0⁰ is 1, 0ʸ is 0. Relative
+/// error below 2e-7 · (1 + y |log₂ x|) where the result is normal; smaller results are 0. A base that is denormal,
+/// negative or NaN counts as 0.
 precise float pelage_power_of_cosine(float x, float y);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -128,15 +129,16 @@ inline constexpr char bsdf_fresnel_1[] = R"glsl(
 /// The share of unpolarised light that a smooth dielectric surface reflects, [0, 1]: exact Fresnel equations.
 ///
 /// `cos_theta`: cosine of the angle of incidence; its sign does not matter, held to [0, 1]. `eta`: index of
-/// refraction behind the surface over that before it, (0, inf); below 1 total internal reflection gives 1.
-/// At grazing incidence (0): 1; eta = 1 gives 0 but for cos_theta = 0. NaN in gives NaN or 1.
+/// refraction behind the surface over that before it, (0, 1e18); below 1 total internal reflection gives 1.
+/// At grazing incidence (0): 1; eta = 1 gives 0 but for cos_theta below 1e-18, which counts as grazing. NaN gives 1.
+/// In float within 1e-6 relative for eta in [1, 1000]; in [0.3, 1) the error grows to 5e-4 beside the critical angle.
 precise float pelage_fresnel_dielectric(float cos_theta, float eta);
 
 /// A(η, θ): the share of light that passes a clear fibre through its axis, in and out again: (1 - F)², [0, 1].
 /// What passes without absorption; the fibre's colour multiplies it. [Yu12 Eq. 2]
 ///
 /// `eta`: the fibre's index, (0, inf); hair 1.55. `sin_theta`: sine of the light's inclination from the plane at
-/// right angles to the fibre, [-1, 1]; at ±1 (along the fibre): 0.
+/// right angles to the fibre, [-1, 1]; at ±1 (along the fibre) and beyond, or NaN: 0.
 precise float pelage_fibre_attenuation(float eta, float sin_theta);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -144,14 +146,18 @@ precise float pelage_fibre_attenuation(float eta, float sin_theta);
 precise float pelage_fresnel_dielectric(float cos_theta, float eta) {
   const float cos_i = pelage_saturate(abs(cos_theta));
   // eta² cos²θt = eta² - sin²θi, written so that nothing cancels at eta near 1 and grazing light.
-  const float inside2 = (eta - 1.0) * (eta + 1.0) + cos_i * cos_i;
+  const float contrast = (eta - 1.0) * (eta + 1.0);
+  const float inside2 = contrast + cos_i * cos_i;
   if (!(inside2 > 0.0) || cos_i == 0.0) {
     return 1.0;
   }
   const float inside = sqrt(inside2);
-  const float perpendicular = (cos_i - inside) / (cos_i + inside);
-  const float parallel = (eta * eta * cos_i - inside) / (eta * eta * cos_i + inside);
-  return 0.5 * (perpendicular * perpendicular + parallel * parallel);
+  // Both amplitudes (a - b) / (a + b) as (a² - b²) / (a + b)²: the difference of squares is known without cancelling.
+  const float across = cos_i + inside;
+  const float along = eta * eta * cos_i + inside;
+  const float perpendicular = contrast / across / across;
+  const float parallel = contrast / along * ((eta * eta + 1.0) * cos_i * cos_i - 1.0) / along;
+  return pelage_saturate(0.5 * (perpendicular * perpendicular + parallel * parallel));
 }
 
 precise float pelage_fibre_attenuation(float eta, float sin_theta) {
@@ -179,8 +185,9 @@ struct pelage_kajiya_kay_lobes {
 ///
 /// `tangent`, `to_light`, `to_eye`: unit vectors, the last two pointing away from the fibre. The highlight is largest
 /// where the eye lies on the cone of mirrored light: t·e = -(t·l). Where the angle between the two exceeds 90° the
-/// specular lobe is 0, as is pow() of a negative cosine elsewhere. `exponent` p: [0, inf); 0 gives 1 on all of the
-/// other side. Vectors that are off unit length are held to the sphere. Relative error as power_of_cosine.
+/// specular lobe is 0, where pow() of a negative cosine would be NaN. `exponent` p: [0, inf); 0 gives 1 on all of
+/// the other side. Both lobes stay in [0, 1] for vectors that are off unit length; a NaN or zero vector gives 0.
+/// Error below 4e-7 in the diffuse lobe, 4e-7 · (1 + p) in the specular one for p ≥ 1.
 precise pelage_kajiya_kay_lobes pelage_kajiya_kay(vec3 tangent, vec3 to_light, vec3 to_eye, float exponent);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -188,8 +195,9 @@ precise pelage_kajiya_kay_lobes pelage_kajiya_kay(vec3 tangent, vec3 to_light, v
 precise pelage_kajiya_kay_lobes pelage_kajiya_kay(vec3 tangent, vec3 to_light, vec3 to_eye, float exponent) {
   const float along_light = dot(tangent, to_light);
   const float along_eye = dot(tangent, to_eye);
-  const float across_light = pelage_safe_sqrt(1.0 - along_light * along_light);
-  const float across_eye = pelage_safe_sqrt(1.0 - along_eye * along_eye);
+  // The sine as a length: √(1 - cos²) would lose half its digits for light along the fibre.
+  const float across_light = pelage_saturate(length(cross(tangent, to_light)));
+  const float across_eye = pelage_saturate(length(cross(tangent, to_eye)));
   const float cosine = pelage_saturate(across_light * across_eye - along_light * along_eye);
   return pelage_kajiya_kay_lobes(across_light, cosine > 0.0 ? pelage_power_of_cosine(cosine, exponent) : 0.0);
 }
@@ -209,21 +217,36 @@ inline constexpr char composite_optical_depth_1[] = R"glsl(
 ///
 /// Range [0, 4096) octaves. One fragment counts at most 32 octaves (an opaque one). Sums saturate at the end of the
 /// range, which is still the same in any order, and read as 0, as does every sum above 126 octaves. Each fragment
-/// rounds by at most 2⁻²¹ octaves, a relative error of 3.4e-7 in the product; fast_log2 adds 1.5e-7 octaves.
+/// rounds by at most 2⁻²¹ octaves, a relative error of 3.4e-7 in the product; fast_log2 adds its own, 1e-7 octaves
+/// or 1e-7 of them. `alpha`: held to [0, 1]; NaN counts as 0.
 precise uint pelage_optical_depth(float alpha);
+
+/// x in units of 2⁻²⁰, rounded to the nearest; 0 for negative and NaN, the greatest number from 4096 on.
+precise uint pelage_to_fixed(float x);
 
 /// The sum of two, held to the end of the range. Associative and commutative.
 uint pelage_add_saturating(uint a, uint b);
 
-/// The transmittance of a sum, [0, 1]; exactly 1 for 0.
+/// The transmittance of a sum, [0, 1]; exactly 1 for 0. Relative error below 1e-7 · (1 + octaves / 2).
 precise float pelage_transmittance_of(uint optical);
 
 // ---------------------------------------------------------------------------------------------------------
 
 precise uint pelage_optical_depth(float alpha) {
   const float octaves = -pelage_fast_log2(1.0 - pelage_saturate(alpha));
-  const float held = octaves < 32.0 ? octaves : 32.0;
-  return uint(held * 1048576.0 + 0.5);
+  return pelage_to_fixed(octaves < 32.0 ? octaves : 32.0);
+}
+
+precise uint pelage_to_fixed(float x) {
+  if (!(x > 0.0)) {
+    return 0u;
+  }
+  if (x >= 4096.0) {
+    return 0xffffffffu;
+  }
+  // From 2²³ units on a float is a whole number, and adding a half would round to even.
+  const float units = x * 1048576.0;
+  return uint(units < 8388608.0 ? units + 0.5 : units);
 }
 
 uint pelage_add_saturating(uint a, uint b) {
@@ -349,8 +372,9 @@ inline constexpr char composite_tail_2[] = R"glsl(
 /// integers only, so that every interleaving gives the same bits. Keeps the exact product of transmittances and the
 /// alpha-weighted mean colour; drops the order among the tail's own fragments. 20 bytes.
 ///
-/// Sums of alpha and alpha · colour are in units of 2⁻²⁰, range [0, 4096), rounded by at most 2⁻²¹ a fragment;
-/// each saturates by itself, which needs 4096 opaque white fragments in one pixel.
+/// Sums of alpha and alpha · colour are in units of 2⁻²⁰, range [0, 4096), rounded by at most 2⁻²¹ a fragment (a
+/// product above 8 by the float's own last bit); each saturates by itself, which needs 4096 opaque white fragments in
+/// one pixel.
 struct pelage_tail {
   uint optical;  ///< Σ optical_depth(alpha)
   uint weight;   ///< Σ alpha
@@ -362,8 +386,8 @@ struct pelage_tail {
 /// A tail that holds nothing: transmittance 1.
 pelage_tail pelage_empty_tail();
 
-/// The tail with one more fragment. `alpha`: opacity times coverage, held to [0, 1]. `colour`: linear RGB, held to
-/// [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
+/// The tail with one more fragment. `alpha`: opacity times coverage, held to [0, 1]. `colour`: linear RGB,
+/// [0, inf]; alpha · colour is held to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
 precise pelage_tail pelage_add_fragment(pelage_tail t, float alpha, vec3 colour);
 
 /// Both tails in one. Associative and commutative, empty_tail() is the identity.
@@ -372,21 +396,12 @@ pelage_tail pelage_merge(pelage_tail a, pelage_tail b);
 /// The light that passes the whole tail, [0, 1].
 float pelage_transmittance_of(pelage_tail t);
 
-/// The mean colour of the tail's fragments, weighted by alpha; black when it is empty. What the tail adds to a pixel
+/// The mean colour of the tail's fragments, weighted by alpha; black when it is empty, or when
+/// no alpha in it reaches 2⁻²¹. What the tail adds to a pixel
 /// is this times 1 - transmittance_of(t).
 precise vec3 pelage_mean_colour(pelage_tail t);
 
-/// x in units of 2⁻²⁰, rounded to nearest; 0 for negative and NaN, saturating at 4096.
-precise uint pelage_to_fixed(float x);
-
 // ---------------------------------------------------------------------------------------------------------
-
-precise uint pelage_to_fixed(float x) {
-  if (!(x > 0.0)) {
-    return 0u;
-  }
-  return x < 4095.9995 ? uint(x * 1048576.0 + 0.5) : 0xffffffffu;
-}
 
 pelage_tail pelage_empty_tail() {
   return pelage_tail(0u, 0u, 0u, 0u, 0u);
@@ -543,8 +558,10 @@ struct pelage_closest_pair {
 /// ray nearest to the axis stands for it, and its `along_ray` is the fragment's depth. [Yu12 §4]
 ///
 /// `direction` need not be a unit vector but not 0: with direction.z = ±1 in view space, `along_ray` is view depth.
-/// Ties: of a segment parallel to the ray, the end nearer to the ray's origin. A segment of length 0 is a point.
-/// Points behind the origin are held to it. NaN in gives NaN out.
+/// Ties: of a segment parallel to the ray, the point nearest to the ray's origin. A segment of length 0 is a point.
+/// Points behind the origin are held to it. NaN in gives a NaN depth and distance; `along_segment` stays in [0, 1].
+/// The distance is right within 8 ulp of the two ends' distances from the origin, added up; the depth is as
+/// ill-conditioned as the angle between ray and segment is small.
 precise pelage_closest_pair pelage_closest_points(vec3 origin, vec3 direction, vec3 start, vec3 end);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -585,24 +602,24 @@ inline constexpr char coverage_disc_strip_0[] = R"glsl(// Copyright (c) 2026 The
 /// over the circle. [Yu12 §6]
 ///
 /// `offset`: distance from the disc's centre to the strip's axis; its sign does not matter.
-/// `fibre_radius`: half the strip's width, [0, inf). `disc_radius`: (0, inf). All in one length unit.
+/// `fibre_radius`: half the strip's width, [0, inf]. `disc_radius`: [0, inf). All in one length unit.
 ///
 /// In float within 1e-6 relative of the exact area for any ratio of the three, where the area is normal: the area
-/// of a thin strip is integrated over its width instead of subtracting two caps that agree in every digit. Never
-/// falls when the fibre grows but for that error. A fibre of radius 0, or farther off than the two radii: 0.
-/// A disc of radius 0 is a point: 1 inside the strip, 0 outside. NaN or a negative radius: 0. O(1), two to four
-/// square roots.
+/// of a thin strip is integrated over its width instead of subtracting two caps that agree in every digit. In double
+/// within 5e-7, the formula's own error. Never falls when the fibre grows but for that error. A fibre of radius 0, or
+/// farther off than the two radii: 0. A disc of radius 0 is a point: 1 inside the strip, 0 outside. NaN, a negative
+/// radius or an infinite disc: 0. O(1), one to three square roots.
 precise float pelage_disc_strip_share(float offset, float fibre_radius, float disc_radius);
 
 /// The share of a disc that the cap of height `h` cuts off, h in disc radii, [0, 2]; beyond, the nearer end.
-/// Relative error below 1e-7 in exact arithmetic for h in [0, 1].
+/// NaN: 0. Relative error of the polynomial below 3e-8 for h in [0, 1].
 precise float pelage_cap_share(float h);
 
 // ---------------------------------------------------------------------------------------------------------
 
 precise float pelage_cap_share(float h) {
   // h^(3/2) times a polynomial: the area's own shape at h = 0, and no singularity nearer than h = 2.
-  const float whole = h < 2.0 ? (h > 0.0 ? h : 0.0) : 2.0;
+  const float whole = h > 0.0 ? (h < 2.0 ? h : 2.0) : 0.0;
   const float small = whole > 1.0 ? 2.0 - whole : whole;
   float p = -0.00017731884;
   p = p * small + 0.000137821731;
@@ -622,7 +639,7 @@ precise float pelage_disc_strip_share(float offset, float fibre_radius, float di
   // How far the strip's near edge reaches into the disc. Subtracting from the wider one first is exact where the
   // whole sum is small.
   const float reach = (wide - d) + thin;
-  if (!(reach > 0.0) || !(fibre_radius > 0.0) || !(disc_radius >= 0.0)) {
+  if (!(reach > 0.0) || !(fibre_radius > 0.0) || !(disc_radius >= 0.0) || disc_radius == uintBitsToFloat(0x7f800000u)) {
     return 0.0;
   }
   if (reach >= 2.0 * disc_radius) {
@@ -653,17 +670,21 @@ inline constexpr char coverage_line_width_0[] = R"glsl(// Copyright (c) 2026 The
 #ifndef PELAGE_COVERAGE_LINE_WIDTH_GLSL
 #define PELAGE_COVERAGE_LINE_WIDTH_GLSL
 
+)glsl";
+inline constexpr char coverage_line_width_1[] = R"glsl(
 /// How much longer a line is than the row of pixels that draws it: √(x² + y²) / max(|x|, |y|), [1, √2].
 /// A line of one pixel per row or column leaves 1 pixel for every √2 of a diagonal. [Svoboda §1.2.3]
-/// `extent`: the segment from end to end, pixels. A segment of length 0: 1.
+/// `extent`: the segment from end to end, pixels, finite. A segment of length 0, or NaN: 1.
 precise float pelage_diagonal_ratio(vec2 extent);
 
 /// The coverage to give every pixel of a one-pixel line so that it weighs as much as the fibre, [0, 1]: the fibre's
 /// width in pixels times the diagonal ratio. [Svoboda §1.2.3, Eq. 1.1] The cheap alternative to disc_strip_share: no
-/// position inside the pixel, so right on average along a line, wrong in each pixel.
+/// position inside the pixel, so right on average along a line up to a width of 0.7 pixels, wrong in each pixel. Over
+/// all angles and offsets its RMS error against disc_strip_share in the pixels that it draws is 0.012, 0.051, 0.142
+/// and 0.229 for fibres of 0.05, 0.2, 0.5 and 1 pixel.
 ///
 /// `fibre_radius` and `pixel_radius` (half a pixel) in one length unit at the segment's depth. Fibres wider than the
-/// line saturate at 1. A pixel of radius 0, or NaN: 0.
+/// line saturate at 1. A pixel of radius 0, or a NaN radius: 0.
 precise float pelage_line_width_share(vec2 extent, float fibre_radius, float pixel_radius);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -677,15 +698,14 @@ precise float pelage_diagonal_ratio(vec2 extent) {
     return 1.0;
   }
   const float slope = shortest / longest;
-  return sqrt(1.0 + slope * slope);
+  return slope > 0.0 ? sqrt(1.0 + slope * slope) : 1.0;
 }
 
 precise float pelage_line_width_share(vec2 extent, float fibre_radius, float pixel_radius) {
   if (!(fibre_radius > 0.0) || !(pixel_radius > 0.0)) {
     return 0.0;
   }
-  const float share = fibre_radius / pixel_radius * pelage_diagonal_ratio(extent);
-  return share < 1.0 ? share : 1.0;
+  return pelage_saturate(fibre_radius / pixel_radius * pelage_diagonal_ratio(extent));
 }
 
 #endif
@@ -736,7 +756,8 @@ inline constexpr char coverage_segment_quad_0[] = R"glsl(// Copyright (c) 2026 T
 #define PELAGE_COVERAGE_SEGMENT_QUAD_GLSL
 
 )glsl";
-inline constexpr char coverage_segment_quad_1[] = R"glsl(
+inline constexpr char coverage_segment_quad_1[] = R"glsl()glsl";
+inline constexpr char coverage_segment_quad_2[] = R"glsl(
 /// The quad to rasterise for one segment of a fibre, in view space: eye at the origin, looking down -z, y up.
 struct pelage_segment_quad {
   vec3 corner[4];  ///< round the quad, two at the start and two at the end
@@ -747,31 +768,35 @@ struct pelage_segment_quad {
 /// the ends: every pixel whose disc the fibre can touch has its centre inside, and few others. [Yu12 §4]
 ///
 /// `start`, `end`: view space. What lies nearer than the plane z = -near_plane is cut off; near_plane in (0, inf),
-/// for an orthographic cone any number. `fibre_radius`: [0, inf). `cone`: the pixel's; its disc must not be wider
-/// than a pixel. `margin`: pixels, [0.5, inf), 2 where nothing else is known.
-/// A segment parallel to the view ray, or of length 0, gives a square that faces the eye. With perspective, a
-/// fibre that reaches the eye gives a quad without bound on its size. NaN or infinite ends: not visible.
+/// for an orthographic cone any number. `fibre_radius`: [0, inf). `cone`: the pixel's, slope in [0, 1); its disc must
+/// not be wider than a pixel. `margin`: pixels, [0.5, inf), 2 where nothing else is known.
+/// A segment parallel to the view ray, or of length 0, gives a square that faces the eye. Corners may lie nearer
+/// than the near plane. NaN or infinite ends or radius: not visible.
+/// With perspective the promise holds while quad and eye span less than 170°: a fibre nearer to the eye than a few
+/// of its own radii covers a part of the sky that no quad can.
 precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fibre_radius, pelage_ray_cone cone,
                                                   float near_plane, float margin);
 
-/// How far to go from a point of the axis, at right angles to the view ray, to clear the fibre and the margin.
-precise float pelage_half_width_at(vec3 point, float fibre_radius, pelage_ray_cone cone, float margin);
+/// What the fibre and the margin take up round a point of the axis at this view depth.
+precise float pelage_reach_at(float depth, float fibre_radius, pelage_ray_cone cone, float margin);
+
+/// How much farther the cone of sight that touches a ball reaches beside the ball's centre than the ball itself.
+/// `reach`: the ball's radius over the distance of its centre from the eye, [0, 1); from there on: 1000.
+precise float pelage_tangent_stretch(float reach);
 
 /// A unit vector at right angles to a unit vector.
 precise vec3 pelage_any_normal(vec3 direction);
 
 // ---------------------------------------------------------------------------------------------------------
 
-precise float pelage_half_width_at(vec3 point, float fibre_radius, pelage_ray_cone cone, float margin) {
-  const float pixels = 2.0 * margin * pelage_radius_at(cone, -point.z);
-  if (cone.slope == 0.0) {
-    return fibre_radius + pixels;
-  }
-  // The cone of sight that touches a sphere is wider than the sphere's radius at its centre.
-  const float distance2 = dot(point, point);
-  const float least = 1e-6 * distance2;
-  const float clear = distance2 - fibre_radius * fibre_radius;
-  return fibre_radius * sqrt(distance2 / (clear > least ? clear : least)) + pixels;
+precise float pelage_reach_at(float depth, float fibre_radius, pelage_ray_cone cone, float margin) {
+  // A pixel's disc may lie deeper than the point it touches by up to this very reach, and is the wider for it.
+  return (fibre_radius + 2.0 * margin * pelage_radius_at(cone, depth)) / (1.0 - cone.slope);
+}
+
+precise float pelage_tangent_stretch(float reach) {
+  const float cosine2 = (1.0 - reach) * (1.0 + reach);
+  return cosine2 > 1e-6 ? 1.0 / sqrt(cosine2) : 1000.0;
 }
 
 precise vec3 pelage_any_normal(vec3 direction) {
@@ -785,7 +810,7 @@ precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fi
   const vec3 zero = vec3(0.0);
   pelage_segment_quad quad = pelage_segment_quad(vec3[4](zero, zero, zero, zero), false);
   const vec3 span = end - start;
-  const float check = (dot(start, start) + dot(end, end)) * 0.0;
+  const float check = (dot(start, start) + dot(end, end) + fibre_radius) * 0.0;
   const bool start_in = -start.z >= near_plane;
   const bool end_in = -end.z >= near_plane;
   if (check != 0.0 || (!start_in && !end_in)) {
@@ -799,33 +824,44 @@ precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fi
 
   const vec3 ahead = vec3(0.0, 0.0, -1.0);
   const bool perspective = cone.slope > 0.0;
-  const vec3 first_view = perspective ? normalize(first) : ahead;
-  const vec3 last_view = perspective ? normalize(last) : ahead;
+  const float first_distance = perspective ? length(first) : 1.0;
+  const float last_distance = perspective ? length(last) : 1.0;
+  const vec3 first_view = perspective ? first / first_distance : ahead;
+  const vec3 last_view = perspective ? last / last_distance : ahead;
 
   // One normal of the plane through the eye and the segment serves both ends; it vanishes where the segment is
-  // seen end on, and any side will do there.
+  // seen end on, and any side will do there. Where it is short, rounding has tilted it toward the view.
   const vec3 plane = cross(first_view, perspective ? last_view : span);
   const float plane_length = length(plane);
-  const float end_on = perspective ? 1e-6 : 1e-6 * length(span);
-  const vec3 side = plane_length > end_on ? plane / plane_length : pelage_any_normal(first_view);
+  const float end_on = perspective ? 1e-6 : 1e-18;
+  const vec3 upright = plane - dot(plane, first_view) * first_view;
+  const vec3 side = plane_length > end_on ? normalize(upright) : pelage_any_normal(first_view);
   const vec3 first_along = cross(side, first_view);
   const vec3 last_along = cross(side, last_view);
 
-  // The wider of the two ends, as seen, serves both: a near end can hide a far one whole.
-  float first_width = pelage_half_width_at(first, fibre_radius, cone, margin);
-  float last_width = pelage_half_width_at(last, fibre_radius, cone, margin);
+  // The wider of the two ends, as seen, serves both: a near end can hide a far one whole. What lies between them is
+  // no wider, as distance is convex, but for the stretch, which is greatest where the axis is nearest to the eye.
+  const float first_seen = pelage_reach_at(-first.z, fibre_radius, cone, margin) / first_distance;
+  const float last_seen = pelage_reach_at(-last.z, fibre_radius, cone, margin) / last_distance;
+  float seen = first_seen > last_seen ? first_seen : last_seen;
+  float past = seen;
   if (perspective) {
-    const float first_seen = first_width / length(first);
-    const float last_seen = last_width / length(last);
-    const float seen = first_seen > last_seen ? first_seen : last_seen;
-    first_width = seen * length(first);
-    last_width = seen * length(last);
+    // Of a ray backwards from the eye, that is, of the eye itself.
+    const float nearest = pelage_closest_points(zero, -ahead, first, last).distance;
+    seen = seen * pelage_tangent_stretch(pelage_reach_at(nearest, fibre_radius, cone, margin) / nearest);
+    // Ends that lie far apart, seen from the eye, must not go round behind it.
+    const float room = 0.9 * (1.0 + dot(first_view, last_view));
+    past = seen * plane_length > room ? room / plane_length : seen;
   }
 
-  quad.corner[0] = first - first_width * first_along - first_width * side;
-  quad.corner[1] = first - first_width * first_along + first_width * side;
-  quad.corner[2] = last + last_width * last_along + last_width * side;
-  quad.corner[3] = last + last_width * last_along - last_width * side;
+  const float first_width = seen * first_distance;
+  const float last_width = seen * last_distance;
+  const vec3 first_tip = first - past * first_distance * first_along;
+  const vec3 last_tip = last + past * last_distance * last_along;
+  quad.corner[0] = first_tip - first_width * side;
+  quad.corner[1] = first_tip + first_width * side;
+  quad.corner[2] = last_tip + last_width * side;
+  quad.corner[3] = last_tip - last_width * side;
   quad.visible = true;
   return quad;
 }
@@ -1342,9 +1378,9 @@ inline constexpr auto core_fragment = join<core_fragment_0>();
 inline constexpr auto core_memory_order = join<core_memory_order_0>();
 inline constexpr auto coverage_closest_points = join<coverage_closest_points_0, core_math, coverage_closest_points_1>();
 inline constexpr auto coverage_disc_strip = join<coverage_disc_strip_0>();
-inline constexpr auto coverage_line_width = join<coverage_line_width_0>();
+inline constexpr auto coverage_line_width = join<coverage_line_width_0, core_math, coverage_line_width_1>();
 inline constexpr auto coverage_ray_cone = join<coverage_ray_cone_0>();
-inline constexpr auto coverage_segment_quad = join<coverage_segment_quad_0, coverage_ray_cone, coverage_segment_quad_1>();
+inline constexpr auto coverage_segment_quad = join<coverage_segment_quad_0, coverage_closest_points, coverage_segment_quad_1, coverage_ray_cone, coverage_segment_quad_2>();
 inline constexpr auto order_list_storage = join<order_list_storage_0, core_memory_order, order_list_storage_1, core_fragment, order_list_storage_2>();
 inline constexpr auto order_a_buffer = join<order_a_buffer_0, core_fragment, order_a_buffer_1, order_list_storage, order_a_buffer_2>();
 inline constexpr auto order_sorting_network = join<order_sorting_network_0, core_fragment, order_sorting_network_1>();

@@ -98,13 +98,14 @@ TEST_CASE("Coverage agrees within the stated ulps") {
               out.put(cone.slope);
               out.put(cylinder.base);
               out.put(radius_at(cone, in.f(14)));
-              out.put(half_width_at(in.v3(6), in.f(12), cone, 2.0F));
+              out.put(reach_at(in.f(14), in.f(12), cone, 2.0F));
               out.put(any_normal(glm::normalize(in.v3(3))));
               const segment_quad<float> quad = expand_segment(in.v3(6), in.v3(9), in.f(12), cone, 0.1F, 2.0F);
               out.put(quad.visible);
               for (const glm::vec3& corner : quad.corner) out.put(corner);
               out.put(cone.base);
               out.put(cylinder.slope);
+              out.put(tangent_stretch(0.5F * in.f(14)));
             },
             {{"closest_points along_ray", 1, 16, 64, 1.0F},
              {"closest_points along_segment", 1, 16, 64, 1.0F},
@@ -116,12 +117,13 @@ TEST_CASE("Coverage agrees within the stated ulps") {
              {"perspective_cone", 1, 0, 3},
              {"orthographic_cone", 1, 0, 3},
              {"radius_at", 1, 0, 4},
-             {"half_width_at", 1, 4, 16},
+             {"reach_at", 1, 0, 4},
              {"any_normal", 3, 4, 16},
              {"expand_segment visible", 1, bits(), bits()},
              {"expand_segment corners", 12, 64, 256},
              {"perspective_cone base", 1, 0, 0},
-             {"orthographic_cone slope", 1, 0, 0}});
+             {"orthographic_cone slope", 1, 0, 0},
+             {"tangent_stretch", 1, 0, 8}});
   });
 }
 

@@ -3,7 +3,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define STRIDE 16u
-#define RESULTS 29u
+#define RESULTS 30u
 #include "table.glsl"
 
 #include "pelage/glsl/coverage/closest_points.glsl"
@@ -33,7 +33,7 @@ void main() {
   put(7u, cone.slope);
   put(8u, cylinder.base);
   put(9u, pelage_radius_at(cone, f(14u)));
-  put(10u, pelage_half_width_at(start, radius, cone, 2.0));
+  put(10u, pelage_reach_at(f(14u), radius, cone, 2.0));
   put(11u, pelage_any_normal(normalize(direction)));
   const pelage_segment_quad quad = pelage_expand_segment(start, end, radius, cone, 0.1, 2.0);
   put(14u, quad.visible);
@@ -43,4 +43,5 @@ void main() {
   put(24u, quad.corner[3]);
   put(27u, cone.base);
   put(28u, cylinder.slope);
+  put(29u, pelage_tangent_stretch(0.5 * f(14u)));
 }

@@ -16,8 +16,9 @@ struct pelage_kajiya_kay_lobes {
 ///
 /// `tangent`, `to_light`, `to_eye`: unit vectors, the last two pointing away from the fibre. The highlight is largest
 /// where the eye lies on the cone of mirrored light: t·e = -(t·l). Where the angle between the two exceeds 90° the
-/// specular lobe is 0, as is pow() of a negative cosine elsewhere. `exponent` p: [0, inf); 0 gives 1 on all of the
-/// other side. Vectors that are off unit length are held to the sphere. Relative error as power_of_cosine.
+/// specular lobe is 0, where pow() of a negative cosine would be NaN. `exponent` p: [0, inf); 0 gives 1 on all of
+/// the other side. Both lobes stay in [0, 1] for vectors that are off unit length; a NaN or zero vector gives 0.
+/// Error below 4e-7 in the diffuse lobe, 4e-7 · (1 + p) in the specular one for p ≥ 1.
 precise pelage_kajiya_kay_lobes pelage_kajiya_kay(vec3 tangent, vec3 to_light, vec3 to_eye, float exponent);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -25,8 +26,9 @@ precise pelage_kajiya_kay_lobes pelage_kajiya_kay(vec3 tangent, vec3 to_light, v
 precise pelage_kajiya_kay_lobes pelage_kajiya_kay(vec3 tangent, vec3 to_light, vec3 to_eye, float exponent) {
   const float along_light = dot(tangent, to_light);
   const float along_eye = dot(tangent, to_eye);
-  const float across_light = pelage_safe_sqrt(1.0 - along_light * along_light);
-  const float across_eye = pelage_safe_sqrt(1.0 - along_eye * along_eye);
+  // The sine as a length: √(1 - cos²) would lose half its digits for light along the fibre.
+  const float across_light = pelage_saturate(length(cross(tangent, to_light)));
+  const float across_eye = pelage_saturate(length(cross(tangent, to_eye)));
   const float cosine = pelage_saturate(across_light * across_eye - along_light * along_eye);
   return pelage_kajiya_kay_lobes(across_light, cosine > 0.0 ? pelage_power_of_cosine(cosine, exponent) : 0.0);
 }

@@ -11,8 +11,9 @@
 /// integers only, so that every interleaving gives the same bits. Keeps the exact product of transmittances and the
 /// alpha-weighted mean colour; drops the order among the tail's own fragments. 20 bytes.
 ///
-/// Sums of alpha and alpha · colour are in units of 2⁻²⁰, range [0, 4096), rounded by at most 2⁻²¹ a fragment;
-/// each saturates by itself, which needs 4096 opaque white fragments in one pixel.
+/// Sums of alpha and alpha · colour are in units of 2⁻²⁰, range [0, 4096), rounded by at most 2⁻²¹ a fragment (a
+/// product above 8 by the float's own last bit); each saturates by itself, which needs 4096 opaque white fragments in
+/// one pixel.
 struct pelage_tail {
   uint optical;  ///< Σ optical_depth(alpha)
   uint weight;   ///< Σ alpha
@@ -24,8 +25,8 @@ struct pelage_tail {
 /// A tail that holds nothing: transmittance 1.
 pelage_tail pelage_empty_tail();
 
-/// The tail with one more fragment. `alpha`: opacity times coverage, held to [0, 1]. `colour`: linear RGB, held to
-/// [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
+/// The tail with one more fragment. `alpha`: opacity times coverage, held to [0, 1]. `colour`: linear RGB,
+/// [0, inf]; alpha · colour is held to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
 precise pelage_tail pelage_add_fragment(pelage_tail t, float alpha, vec3 colour);
 
 /// Both tails in one. Associative and commutative, empty_tail() is the identity.
@@ -34,21 +35,12 @@ pelage_tail pelage_merge(pelage_tail a, pelage_tail b);
 /// The light that passes the whole tail, [0, 1].
 float pelage_transmittance_of(pelage_tail t);
 
-/// The mean colour of the tail's fragments, weighted by alpha; black when it is empty. What the tail adds to a pixel
+/// The mean colour of the tail's fragments, weighted by alpha; black when it is empty, or when
+/// no alpha in it reaches 2⁻²¹. What the tail adds to a pixel
 /// is this times 1 - transmittance_of(t).
 precise vec3 pelage_mean_colour(pelage_tail t);
 
-/// x in units of 2⁻²⁰, rounded to nearest; 0 for negative and NaN, saturating at 4096.
-precise uint pelage_to_fixed(float x);
-
 // ---------------------------------------------------------------------------------------------------------
-
-precise uint pelage_to_fixed(float x) {
-  if (!(x > 0.0)) {
-    return 0u;
-  }
-  return x < 4095.9995 ? uint(x * 1048576.0 + 0.5) : 0xffffffffu;
-}
 
 pelage_tail pelage_empty_tail() {
   return pelage_tail(0u, 0u, 0u, 0u, 0u);

@@ -14,14 +14,15 @@ precise float pelage_safe_sqrt(float x);
 float pelage_saturate(float x);
 
 /// log₂ x from + − × alone, so that every machine agrees on its bits. For normal x > 0 within
-/// 1.5e-7 · max(1, |log₂ x|). Zero, denormals and negatives give -126, the least exponent; NaN gives NaN, +inf 128.
+/// 1e-7 · max(1, |log₂ x|). Zero, denormals and negatives give -126, the least exponent; NaN gives NaN, +inf 128.
 precise float pelage_fast_log2(float x);
 
-/// 2ˣ from + − × alone, relative error below 2e-7 for x in [-126, 128). Below: 0. From 128 on: +inf. NaN gives NaN.
+/// 2ˣ from + − × alone, relative error below 1e-7 for x in [-126, 128). Below: 0. From 128 on: +inf. NaN gives NaN.
 precise float pelage_fast_exp2(float x);
 
-/// xʸ for a base in [0, 1] and an exponent ≥ 0, as a highlight's lobe needs it: 0⁰ is 1, 0ʸ is 0. Relative error
-/// below 1e-7 · (2 + y |log₂ x|) where the result is normal; smaller results are 0. NaN or a negative base count as 0.
+/// xʸ for a base in [0, 1] and an exponent in [0, inf), as a highlight's lobe needs it: 0⁰ is 1, 0ʸ is 0. Relative
+/// error below 2e-7 · (1 + y |log₂ x|) where the result is normal; smaller results are 0. A base that is denormal,
+/// negative or NaN counts as 0.
 precise float pelage_power_of_cosine(float x, float y);
 
 // ---------------------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #ifndef PELAGE_COVERAGE_SEGMENT_QUAD_GLSL
 #define PELAGE_COVERAGE_SEGMENT_QUAD_GLSL
 
+#include "closest_points.glsl"
 #include "ray_cone.glsl"
 
 /// The quad to rasterise for one segment of a fibre, in view space: eye at the origin, looking down -z, y up.
@@ -16,31 +17,35 @@ struct pelage_segment_quad {
 /// the ends: every pixel whose disc the fibre can touch has its centre inside, and few others. [Yu12 §4]
 ///
 /// `start`, `end`: view space. What lies nearer than the plane z = -near_plane is cut off; near_plane in (0, inf),
-/// for an orthographic cone any number. `fibre_radius`: [0, inf). `cone`: the pixel's; its disc must not be wider
-/// than a pixel. `margin`: pixels, [0.5, inf), 2 where nothing else is known.
-/// A segment parallel to the view ray, or of length 0, gives a square that faces the eye. With perspective, a
-/// fibre that reaches the eye gives a quad without bound on its size. NaN or infinite ends: not visible.
+/// for an orthographic cone any number. `fibre_radius`: [0, inf). `cone`: the pixel's, slope in [0, 1); its disc must
+/// not be wider than a pixel. `margin`: pixels, [0.5, inf), 2 where nothing else is known.
+/// A segment parallel to the view ray, or of length 0, gives a square that faces the eye. Corners may lie nearer
+/// than the near plane. NaN or infinite ends or radius: not visible.
+/// With perspective the promise holds while quad and eye span less than 170°: a fibre nearer to the eye than a few
+/// of its own radii covers a part of the sky that no quad can.
 precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fibre_radius, pelage_ray_cone cone,
                                                   float near_plane, float margin);
 
-/// How far to go from a point of the axis, at right angles to the view ray, to clear the fibre and the margin.
-precise float pelage_half_width_at(vec3 point, float fibre_radius, pelage_ray_cone cone, float margin);
+/// What the fibre and the margin take up round a point of the axis at this view depth.
+precise float pelage_reach_at(float depth, float fibre_radius, pelage_ray_cone cone, float margin);
+
+/// How much farther the cone of sight that touches a ball reaches beside the ball's centre than the ball itself.
+/// `reach`: the ball's radius over the distance of its centre from the eye, [0, 1); from there on: 1000.
+precise float pelage_tangent_stretch(float reach);
 
 /// A unit vector at right angles to a unit vector.
 precise vec3 pelage_any_normal(vec3 direction);
 
 // ---------------------------------------------------------------------------------------------------------
 
-precise float pelage_half_width_at(vec3 point, float fibre_radius, pelage_ray_cone cone, float margin) {
-  const float pixels = 2.0 * margin * pelage_radius_at(cone, -point.z);
-  if (cone.slope == 0.0) {
-    return fibre_radius + pixels;
-  }
-  // The cone of sight that touches a sphere is wider than the sphere's radius at its centre.
-  const float distance2 = dot(point, point);
-  const float least = 1e-6 * distance2;
-  const float clear = distance2 - fibre_radius * fibre_radius;
-  return fibre_radius * sqrt(distance2 / (clear > least ? clear : least)) + pixels;
+precise float pelage_reach_at(float depth, float fibre_radius, pelage_ray_cone cone, float margin) {
+  // A pixel's disc may lie deeper than the point it touches by up to this very reach, and is the wider for it.
+  return (fibre_radius + 2.0 * margin * pelage_radius_at(cone, depth)) / (1.0 - cone.slope);
+}
+
+precise float pelage_tangent_stretch(float reach) {
+  const float cosine2 = (1.0 - reach) * (1.0 + reach);
+  return cosine2 > 1e-6 ? 1.0 / sqrt(cosine2) : 1000.0;
 }
 
 precise vec3 pelage_any_normal(vec3 direction) {
@@ -54,7 +59,7 @@ precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fi
   const vec3 zero = vec3(0.0);
   pelage_segment_quad quad = pelage_segment_quad(vec3[4](zero, zero, zero, zero), false);
   const vec3 span = end - start;
-  const float check = (dot(start, start) + dot(end, end)) * 0.0;
+  const float check = (dot(start, start) + dot(end, end) + fibre_radius) * 0.0;
   const bool start_in = -start.z >= near_plane;
   const bool end_in = -end.z >= near_plane;
   if (check != 0.0 || (!start_in && !end_in)) {
@@ -68,33 +73,44 @@ precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fi
 
   const vec3 ahead = vec3(0.0, 0.0, -1.0);
   const bool perspective = cone.slope > 0.0;
-  const vec3 first_view = perspective ? normalize(first) : ahead;
-  const vec3 last_view = perspective ? normalize(last) : ahead;
+  const float first_distance = perspective ? length(first) : 1.0;
+  const float last_distance = perspective ? length(last) : 1.0;
+  const vec3 first_view = perspective ? first / first_distance : ahead;
+  const vec3 last_view = perspective ? last / last_distance : ahead;
 
   // One normal of the plane through the eye and the segment serves both ends; it vanishes where the segment is
-  // seen end on, and any side will do there.
+  // seen end on, and any side will do there. Where it is short, rounding has tilted it toward the view.
   const vec3 plane = cross(first_view, perspective ? last_view : span);
   const float plane_length = length(plane);
-  const float end_on = perspective ? 1e-6 : 1e-6 * length(span);
-  const vec3 side = plane_length > end_on ? plane / plane_length : pelage_any_normal(first_view);
+  const float end_on = perspective ? 1e-6 : 1e-18;
+  const vec3 upright = plane - dot(plane, first_view) * first_view;
+  const vec3 side = plane_length > end_on ? normalize(upright) : pelage_any_normal(first_view);
   const vec3 first_along = cross(side, first_view);
   const vec3 last_along = cross(side, last_view);
 
-  // The wider of the two ends, as seen, serves both: a near end can hide a far one whole.
-  float first_width = pelage_half_width_at(first, fibre_radius, cone, margin);
-  float last_width = pelage_half_width_at(last, fibre_radius, cone, margin);
+  // The wider of the two ends, as seen, serves both: a near end can hide a far one whole. What lies between them is
+  // no wider, as distance is convex, but for the stretch, which is greatest where the axis is nearest to the eye.
+  const float first_seen = pelage_reach_at(-first.z, fibre_radius, cone, margin) / first_distance;
+  const float last_seen = pelage_reach_at(-last.z, fibre_radius, cone, margin) / last_distance;
+  float seen = first_seen > last_seen ? first_seen : last_seen;
+  float past = seen;
   if (perspective) {
-    const float first_seen = first_width / length(first);
-    const float last_seen = last_width / length(last);
-    const float seen = first_seen > last_seen ? first_seen : last_seen;
-    first_width = seen * length(first);
-    last_width = seen * length(last);
+    // Of a ray backwards from the eye, that is, of the eye itself.
+    const float nearest = pelage_closest_points(zero, -ahead, first, last).distance;
+    seen = seen * pelage_tangent_stretch(pelage_reach_at(nearest, fibre_radius, cone, margin) / nearest);
+    // Ends that lie far apart, seen from the eye, must not go round behind it.
+    const float room = 0.9 * (1.0 + dot(first_view, last_view));
+    past = seen * plane_length > room ? room / plane_length : seen;
   }
 
-  quad.corner[0] = first - first_width * first_along - first_width * side;
-  quad.corner[1] = first - first_width * first_along + first_width * side;
-  quad.corner[2] = last + last_width * last_along + last_width * side;
-  quad.corner[3] = last + last_width * last_along - last_width * side;
+  const float first_width = seen * first_distance;
+  const float last_width = seen * last_distance;
+  const vec3 first_tip = first - past * first_distance * first_along;
+  const vec3 last_tip = last + past * last_distance * last_along;
+  quad.corner[0] = first_tip - first_width * side;
+  quad.corner[1] = first_tip + first_width * side;
+  quad.corner[2] = last_tip + last_width * side;
+  quad.corner[3] = last_tip - last_width * side;
   quad.visible = true;
   return quad;
 }
