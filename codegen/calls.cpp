@@ -9,10 +9,14 @@ using namespace clang;
 
 namespace {
 
-bool is_glm(const NamedDecl* d) { return d->getQualifiedNameAsString().rfind("glm::", 0) == 0; }
+bool is_glm(const NamedDecl* d) {
+  return d->getQualifiedNameAsString().rfind("glm::", 0) == 0;
+}
 
 /// In std::, members of its classes too.
-bool is_std(const NamedDecl* d) { return d->getQualifiedNameAsString().rfind("std::", 0) == 0; }
+bool is_std(const NamedDecl* d) {
+  return d->getQualifiedNameAsString().rfind("std::", 0) == 0;
+}
 
 bool is_array_type(QualType t) {
   const CXXRecordDecl* r = t.getNonReferenceType()->getAsCXXRecordDecl();
@@ -167,11 +171,12 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
     if (from == "uint" && to == "float") return "uintBitsToFloat(" + arg(0) + ")";
     if (from == "int" && to == "float") return "intBitsToFloat(" + arg(0) + ")";
     const std::string integers = "int uint";
-    if (integers.find(from) != std::string::npos && integers.find(to) != std::string::npos) return to + "(" + arg(0) + ")";
+    if (integers.find(from) != std::string::npos && integers.find(to) != std::string::npos)
+      return to + "(" + arg(0) + ")";
     return reject(c->getBeginLoc(), "std::bit_cast from " + from + " to " + to);
   }
-  const bool bits = name == "std::countl_zero" || name == "std::countr_zero" || name == "std::bit_width" ||
-                    name == "std::popcount";
+  const bool bits =
+      name == "std::countl_zero" || name == "std::countr_zero" || name == "std::bit_width" || name == "std::popcount";
   if (bits && context_.getTypeSize(c->getArg(0)->getType()) != 32) {
     return reject(c->getBeginLoc(), name + " of other than 32 bits");
   }
@@ -183,7 +188,8 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
   const std::string same = builtin_function(name);
   if (same.empty()) return reject(c->getBeginLoc(), name + " has no GLSL form here");
   std::string text;
-  for (unsigned i = 0; i < c->getNumArgs(); ++i) text += (i == 0 ? "" : ", ") + arg(i);
+  for (unsigned i = 0; i < c->getNumArgs(); ++i)
+    text += (i == 0 ? "" : ", ") + arg(i);
   arithmetic_ = arithmetic_ || has_float(c->getType());
   return same + "(" + text + ")";
 }
@@ -225,7 +231,8 @@ std::string translator::construct(const CXXConstructExpr* c) {
   if (vector) {
     if (c->getNumArgs() == 0) return reject(c->getBeginLoc(), "vector without a value");
     std::string text;
-    for (const Expr* a : c->arguments()) text += (text.empty() ? "" : ", ") + expression(a);
+    for (const Expr* a : c->arguments())
+      text += (text.empty() ? "" : ", ") + expression(a);
     return type_of(c->getType(), c->getBeginLoc()).text() + "(" + text + ")";
   }
   if (c->getNumArgs() == 0 && made->isTrivial()) return zero(c->getType(), c->getBeginLoc());

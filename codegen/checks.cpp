@@ -20,7 +20,8 @@ void translator::check_recursion() {
     state[e] = 2;
   };
   std::vector<const entity*> in_order;  // so that the same call closes the circle every time
-  for (const auto& [decl, e] : entities_) in_order.push_back(e.get());
+  for (const auto& [decl, e] : entities_)
+    in_order.push_back(e.get());
   std::sort(in_order.begin(), in_order.end(), [](auto* a, auto* b) { return a->location < b->location; });
   for (const entity* e : in_order) {
     if (state[e] == 0) visit(e);
@@ -53,8 +54,8 @@ void translator::mark_sized() {
   for (bool changed = true; changed;) {
     changed = false;
     for (const auto& [decl, e] : entities_) {
-      const bool sized = !e->sizes.empty() || std::any_of(e->needs.begin(), e->needs.end(),
-                                                          [](const auto& n) { return n.first->sized; });
+      const bool sized = !e->sizes.empty() ||
+                         std::any_of(e->needs.begin(), e->needs.end(), [](const auto& n) { return n.first->sized; });
       changed = changed || sized != e->sized;
       e->sized = sized;
     }

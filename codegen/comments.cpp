@@ -45,8 +45,8 @@ void translator::read_comments(const Stmt* body) {
   const unsigned last = offset(body->getEndLoc());
   const FileID file = sources_.getFileID(begin);
   const llvm::StringRef text = sources_.getBufferData(file);
-  Lexer lexer(sources_.getLocForStartOfFile(file), context_.getLangOpts(), text.begin(),
-              text.begin() + offset(begin), text.end());
+  Lexer lexer(sources_.getLocForStartOfFile(file), context_.getLangOpts(), text.begin(), text.begin() + offset(begin),
+              text.end());
   lexer.SetCommentRetentionState(true);
   for (Token token; !lexer.LexFromRawLexer(token) && offset(token.getLocation()) < last;) {
     if (!token.is(tok::comment)) continue;

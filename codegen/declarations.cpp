@@ -129,7 +129,8 @@ void translator::check_alike(const entity& one, const entity& other, SourceLocat
   const std::string b = other.declaration + other.body;
   if (a == b && one.bindings == other.bindings) return;
   std::size_t i = 0;
-  while (i < a.size() && i < b.size() && a[i] == b[i]) ++i;
+  while (i < a.size() && i < b.size() && a[i] == b[i])
+    ++i;
   const auto line_at = [i](const std::string& text) {
     const std::size_t start = i == 0 ? 0 : text.rfind('\n', i - 1);
     const std::size_t first = start == std::string::npos ? 0 : start + (i == 0 ? 0 : 1);
@@ -157,7 +158,8 @@ void translator::translate_function(const FunctionDecl* f) {
   if (f->getReturnType()->isReferenceType()) reject(where, "reference as a result: return a value");
   if (f->isVariadic()) reject(where, "variadic function");
   if (method != nullptr && method->isVirtual()) reject(where, "virtual function");
-  if (f->isOverloadedOperator() && operator_name(f).empty()) reject(where, "operator overload: call a function instead");
+  if (f->isOverloadedOperator() && operator_name(f).empty())
+    reject(where, "operator overload: call a function instead");
   if (isa_and_nonnull<CXXTryStmt>(definition->getBody())) reject(where, "exceptions");
   const std::string result = type_of(f->getReturnType(), where).text();
   std::string list = parameters(definition);
@@ -233,8 +235,8 @@ void translator::translate_enum(const EnumDecl* e) {
   for (const EnumConstantDecl* c : e->enumerators()) {
     const std::string value = llvm::toString(c->getInitVal(), 10) + (type == "uint" ? "u" : "");
     const std::string doc = doc_beside(c->getLocation());
-    fresh_->declaration += "const " + type + " " + fresh_->name + "_" + c->getNameAsString() + " = " + value + ";  " +
-                           doc + "\n";
+    fresh_->declaration +=
+        "const " + type + " " + fresh_->name + "_" + c->getNameAsString() + " = " + value + ";  " + doc + "\n";
   }
   end(e);
 }

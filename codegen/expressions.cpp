@@ -51,7 +51,8 @@ std::string translator::literal(const FloatingLiteral* l) {
   const CharSourceRange range = CharSourceRange::getTokenRange(sources_.getSpellingLoc(l->getBeginLoc()));
   std::string spelled = Lexer::getSourceText(range, sources_, context_.getLangOpts()).str();
   spelled.erase(std::remove(spelled.begin(), spelled.end(), '\''), spelled.end());
-  while (!spelled.empty() && std::string("fFlL").find(spelled.back()) != std::string::npos) spelled.pop_back();
+  while (!spelled.empty() && std::string("fFlL").find(spelled.back()) != std::string::npos)
+    spelled.pop_back();
   const bool decimal = spelled.find_first_not_of("0123456789.e+-") == std::string::npos && !spelled.empty();
   return decimal && std::strtof(spelled.c_str(), nullptr) == wanted ? with_point(spelled) : shortest(wanted);
 }
@@ -115,11 +116,20 @@ bool translator::fold(const Expr* e, double& value) {
   double right = 0.0;
   if (x == nullptr || !fold(x->getLHS(), left) || !fold(x->getRHS(), right)) return false;
   switch (x->getOpcode()) {
-    case BO_Add: value = left + right; return true;
-    case BO_Sub: value = left - right; return true;
-    case BO_Mul: value = left * right; return true;
-    case BO_Div: value = left / right; return true;
-    default: return false;
+    case BO_Add:
+      value = left + right;
+      return true;
+    case BO_Sub:
+      value = left - right;
+      return true;
+    case BO_Mul:
+      value = left * right;
+      return true;
+    case BO_Div:
+      value = left / right;
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -213,16 +223,20 @@ std::string translator::conversion(const CastExpr* c, position at) {
     case CK_NoOp:
     case CK_FunctionToPointerDecay:
     case CK_ConstructorConversion:
-    case CK_UserDefinedConversion: return expression(from, at);
+    case CK_UserDefinedConversion:
+      return expression(from, at);
     case CK_IntegralCast:
     case CK_IntegralToFloating:
     case CK_FloatingToIntegral:
     case CK_FloatingCast:
     case CK_IntegralToBoolean:
-    case CK_FloatingToBoolean: break;
+    case CK_FloatingToBoolean:
+      break;
     case CK_DerivedToBase:
-    case CK_UncheckedDerivedToBase: return reject(where, "base class");
-    default: return reject(where, std::string("conversion ") + c->getCastKindName() + " is not in the subset");
+    case CK_UncheckedDerivedToBase:
+      return reject(where, "base class");
+    default:
+      return reject(where, std::string("conversion ") + c->getCastKindName() + " is not in the subset");
   }
   if (c->getCastKind() == CK_FloatingCast) {
     if (!context_.hasSameUnqualifiedType(c->getType(), context_.FloatTy)) {
@@ -334,7 +348,8 @@ std::string translator::initializer_list(const InitListExpr* l) {
   }
   const std::string name = type_of(type, l->getBeginLoc()).text();
   std::string parts;
-  for (const Expr* value : values) parts += (parts.empty() ? "" : ", ") + expression(value);
+  for (const Expr* value : values)
+    parts += (parts.empty() ? "" : ", ") + expression(value);
   return name + "(" + parts + ")";
 }
 

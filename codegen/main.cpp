@@ -112,7 +112,8 @@ class generator : public ASTConsumer {
     if (!fresh) return place->second.get();
     const auto named = names_.find(entry);
     const bool main = entry == sources_.getFileEntryForID(sources_.getMainFileID());
-    if (!main && (named == names_.end() || sources_.isInSystemHeader(sources_.getLocForStartOfFile(file)))) return nullptr;
+    if (!main && (named == names_.end() || sources_.isInSystemHeader(sources_.getLocForStartOfFile(file))))
+      return nullptr;
     const std::string header =
         main ? std::filesystem::path(settings_.instantiate).filename().string() : named->second.first;
     if (header.rfind("glm/", 0) == 0) return nullptr;
@@ -125,7 +126,8 @@ class generator : public ASTConsumer {
       u->include = "pelage/glsl/" + u->path;
       u->mirrored = true;
       std::filesystem::path root = entry->tryGetRealPathName().str();
-      for (std::size_t i = 0; i + 6 < header.size() && root.filename() != "pelage"; ++i) root = root.parent_path();
+      for (std::size_t i = 0; i + 6 < header.size() && root.filename() != "pelage"; ++i)
+        root = root.parent_path();
       std::ifstream in(root / "glsl" / u->path);
       u->mirror_text.assign(std::istreambuf_iterator<char>(in), {});
       if (u->mirror_text.find("_has_one_value_in_a_shader") != std::string::npos) {
@@ -183,7 +185,8 @@ class generator : public ASTConsumer {
     t.require_record(r);
     for (const Decl* d : r->decls()) {
       if (const auto* m = dyn_cast<CXXMethodDecl>(d)) {
-        if (!m->isImplicit() && !m->isDefaulted() && !m->isDeleted() && !isa<CXXConstructorDecl>(m)) t.require_function(m);
+        if (!m->isImplicit() && !m->isDefaulted() && !m->isDeleted() && !isa<CXXConstructorDecl>(m))
+          t.require_function(m);
       } else if (const auto* v = dyn_cast<VarDecl>(d)) {
         if (v->isConstexpr()) t.require_constant(v);
       } else if (const auto* e = dyn_cast<EnumDecl>(d)) {
@@ -263,11 +266,13 @@ int write(const std::filesystem::path& out, const std::vector<std::pair<std::str
     stream.close();
     moves.emplace_back(fresh, path);
     if (!stream) {
-      for (const auto& [from, to] : moves) fs::remove(from, error);
+      for (const auto& [from, to] : moves)
+        fs::remove(from, error);
       return fail(path.string() + ": cannot be written");
     }
   }
-  for (const auto& [from, to] : moves) fs::rename(from, to, error);
+  for (const auto& [from, to] : moves)
+    fs::rename(from, to, error);
   return error ? fail(out.string() + ": " + error.message()) : 0;
 }
 
@@ -296,8 +301,9 @@ int run(const std::vector<std::string>& arguments) {
                  "Writes the GLSL of what FILE.cpp instantiates, one .glsl for each header, below FOLDER.\n";
     return 2;
   }
-  std::vector<std::string> compiler = {"-std=c++20", "-fsyntax-only", "-w", "-DNDEBUG", "-DPELAGE_ASSERT(condition)=",
-                                       "-resource-dir", PELAGE_CLANG_RESOURCE_DIR};
+  std::vector<std::string> compiler = {
+      "-std=c++20",    "-fsyntax-only",          "-w", "-DNDEBUG", "-DPELAGE_ASSERT(condition)=",
+      "-resource-dir", PELAGE_CLANG_RESOURCE_DIR};
   compiler.insert(compiler.end(), s.compiler.begin(), s.compiler.end());
   std::ifstream source(s.instantiate);
   if (!source) return fail(s.instantiate + ": cannot be read");
@@ -314,7 +320,8 @@ int run(const std::vector<std::string>& arguments) {
     const settings& s;
     std::vector<std::pair<std::string, std::string>>& files;
     bool& failed;
-    factory(const settings& a, std::vector<std::pair<std::string, std::string>>& b, bool& c) : s(a), files(b), failed(c) {}
+    factory(const settings& a, std::vector<std::pair<std::string, std::string>>& b, bool& c)
+        : s(a), files(b), failed(c) {}
     std::unique_ptr<FrontendAction> create() override { return std::make_unique<action>(s, files, failed); }
   } make(s, files, failed);
   if (tool.run(&make) != 0 || failed) return 1;

@@ -48,8 +48,8 @@ struct entity {
 
 /// A macro through which a shader picks a template's size.
 struct size_macro {
-  std::string value;                                           ///< the default
-  std::vector<std::pair<std::string, std::string>> conditions; ///< static_asserts over it: condition, message
+  std::string value;                                            ///< the default
+  std::vector<std::pair<std::string, std::string>> conditions;  ///< static_asserts over it: condition, message
 };
 
 /// A cell or a span of cells that the shader provides.
@@ -60,10 +60,10 @@ struct cell {
 
 /// One header and the .glsl that mirrors it.
 struct unit {
-  std::string header;   ///< as a program includes it: pelage/order/k_buffer.hpp
-  std::string path;     ///< below the output folder: order/k_buffer.glsl
-  std::string include;  ///< how others include it where `path` will not do: library files seen from a user's
-  std::string doc;      ///< what the header says above its namespace
+  std::string header;     ///< as a program includes it: pelage/order/k_buffer.hpp
+  std::string path;       ///< below the output folder: order/k_buffer.glsl
+  std::string include;    ///< how others include it where `path` will not do: library files seen from a user's
+  std::string doc;        ///< what the header says above its namespace
   bool mirrored = false;  ///< already there: a library header seen from a user's
   std::string mirror_text;
   std::vector<const entity*> entities;

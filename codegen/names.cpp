@@ -17,7 +17,8 @@ namespace {
 std::set<std::string> words(const char* text) {
   std::istringstream in(text);
   std::set<std::string> all;
-  for (std::string word; in >> word;) all.insert(word);
+  for (std::string word; in >> word;)
+    all.insert(word);
   return all;
 }
 
@@ -66,11 +67,16 @@ std::string operator_name(const clang::NamedDecl* d) {
   if (f == nullptr || llvm::isa<clang::CXXMethodDecl>(f)) return {};
   const bool binary = f->getNumParams() == 2;
   switch (f->getOverloadedOperator()) {
-    case clang::OO_Plus: return binary ? "add" : "";
-    case clang::OO_Minus: return binary ? "subtract" : "negate";
-    case clang::OO_Star: return binary ? "multiply" : "";
-    case clang::OO_Slash: return "divide";
-    default: return {};
+    case clang::OO_Plus:
+      return binary ? "add" : "";
+    case clang::OO_Minus:
+      return binary ? "subtract" : "negate";
+    case clang::OO_Star:
+      return binary ? "multiply" : "";
+    case clang::OO_Slash:
+      return "divide";
+    default:
+      return {};
   }
 }
 

@@ -41,7 +41,8 @@ std::string translator::size_name(const NonTypeTemplateParmDecl* p, SourceLocati
   const TemplateDecl* owner = p->getDepth() < templates_.size() ? templates_[p->getDepth()] : nullptr;
   if (const auto* f = dyn_cast<FunctionDecl>(p->getDeclContext()); f != nullptr && f->getDescribedFunctionTemplate()) {
     owner = f->getDescribedFunctionTemplate();
-  } else if (const auto* r = dyn_cast<CXXRecordDecl>(p->getDeclContext()); r != nullptr && r->getDescribedClassTemplate()) {
+  } else if (const auto* r = dyn_cast<CXXRecordDecl>(p->getDeclContext());
+             r != nullptr && r->getDescribedClassTemplate()) {
     owner = r->getDescribedClassTemplate();
   }
   if (owner == nullptr) {
@@ -58,7 +59,8 @@ void translator::find_aliases(const FunctionDecl* f) {
   const FunctionTemplateDecl* own = f->getPrimaryTemplate();
   if (own == nullptr) return;
   std::vector<QualType> types = {f->getReturnType()};
-  for (const ParmVarDecl* p : f->parameters()) types.push_back(p->getType());
+  for (const ParmVarDecl* p : f->parameters())
+    types.push_back(p->getType());
   for (const QualType& type : types) {
     const auto* written = type.getNonReferenceType()->getAs<TemplateSpecializationType>();
     const auto* of = written == nullptr ? nullptr : written->getTemplateName().getAsTemplateDecl();
@@ -92,7 +94,8 @@ void translator::set_templates(const Decl* d) {
 }
 
 /// The first instantiation gives the macro's default; all are counted, since two must come out alike.
-void translator::note_sizes(const NamedDecl* owner, const TemplateDecl* pattern, const TemplateArgumentList& arguments) {
+void translator::note_sizes(const NamedDecl* owner, const TemplateDecl* pattern,
+                            const TemplateArgumentList& arguments) {
   std::string values;
   for (unsigned i = 0; i < arguments.size(); ++i) {
     const NamedDecl* parameter = pattern->getTemplateParameters()->getParam(i);

@@ -100,7 +100,7 @@ bool translator::storage_expression(const Expr* e, std::string& text, position a
 /// One operation of std::atomic_ref. The value passes through pelage_release() on its way in and pelage_acquire() on
 /// its way out; both are fences of the given order, and left out where the order is relaxed for good.
 std::string translator::atomic(const CallExpr* c, const Expr* reference, const std::string& name, unsigned first,
-                              position at) {
+                               position at) {
   const Expr* place = referred(reference);
   if (place == nullptr) return reject(c->getBeginLoc(), "atomics: write std::atomic_ref(cell).operation(...)");
   const std::string target = expression(place);
@@ -127,10 +127,9 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
     return arg(0) + " = " +
            acquire("atomicCompSwap(" + target + ", " + arg(0) + ", " + release(arg(1), arg(2)) + ")", arg(2));
   }
-  static const std::map<std::string, std::string> same = {{"exchange", "atomicExchange"}, {"fetch_add", "atomicAdd"},
-                                                          {"fetch_and", "atomicAnd"},     {"fetch_or", "atomicOr"},
-                                                          {"fetch_xor", "atomicXor"},
-                                                          {"fetch_min", "atomicMin"},     {"fetch_max", "atomicMax"}};
+  static const std::map<std::string, std::string> same = {
+      {"exchange", "atomicExchange"}, {"fetch_add", "atomicAdd"}, {"fetch_and", "atomicAnd"}, {"fetch_or", "atomicOr"},
+      {"fetch_xor", "atomicXor"},     {"fetch_min", "atomicMin"}, {"fetch_max", "atomicMax"}};
   const auto found = same.find(name);
   if (found == same.end()) return reject(c->getBeginLoc(), "std::atomic_ref::" + name + " has no GLSL form");
   return acquire(found->second + "(" + target + ", " + release(arg(0), arg(1)) + ")", arg(1));

@@ -8,12 +8,12 @@
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/StmtCXX.h>
 
+#include <llvm/ADT/StringExtras.h>
 #include <deque>
 #include <functional>
 #include <map>
 #include <memory>
 #include <set>
-#include <llvm/ADT/StringExtras.h>
 
 #include <string>
 #include <vector>

@@ -45,9 +45,8 @@ bool translator::is_array(QualType t, QualType& element, std::string& extent, So
       if (!written->isTypeAlias() && is_std(written->getTemplateName().getAsTemplateDecl(), "array")) {
         const TemplateArgument& size = written->getArg(1);
         element = written->getArg(0).getAsType();
-        extent = size.getKind() == TemplateArgument::Expression
-                     ? size_expression(size.getAsExpr())
-                     : llvm::toString(size.getAsIntegral(), 10);
+        extent = size.getKind() == TemplateArgument::Expression ? size_expression(size.getAsExpr())
+                                                                : llvm::toString(size.getAsIntegral(), 10);
         return true;
       }
     }
@@ -86,11 +85,16 @@ std::string translator::size_expression(const Expr* e) {
 std::string translator::scalar_type(QualType t, SourceLocation where) {
   const auto* builtin = t->getAs<BuiltinType>();
   switch (builtin->getKind()) {
-    case BuiltinType::Void: return "void";
-    case BuiltinType::Bool: return "bool";
-    case BuiltinType::Int: return "int";
-    case BuiltinType::UInt: return "uint";
-    case BuiltinType::Float: return "float";
+    case BuiltinType::Void:
+      return "void";
+    case BuiltinType::Bool:
+      return "bool";
+    case BuiltinType::Int:
+      return "int";
+    case BuiltinType::UInt:
+      return "uint";
+    case BuiltinType::Float:
+      return "float";
     case BuiltinType::Long:
     case BuiltinType::LongLong:
     case BuiltinType::ULong:
@@ -104,14 +108,17 @@ std::string translator::scalar_type(QualType t, SourceLocation where) {
       return name;
     }
     case BuiltinType::Double:
-    case BuiltinType::LongDouble: return reject(where, "double: the mirror computes in float");
+    case BuiltinType::LongDouble:
+      return reject(where, "double: the mirror computes in float");
     case BuiltinType::Char_S:
     case BuiltinType::Char_U:
     case BuiltinType::SChar:
     case BuiltinType::UChar:
     case BuiltinType::Short:
-    case BuiltinType::UShort: return reject(where, "8- or 16-bit integer: use int or std::uint32_t");
-    default: return reject(where, "type " + t.getAsString() + " has no GLSL form");
+    case BuiltinType::UShort:
+      return reject(where, "8- or 16-bit integer: use int or std::uint32_t");
+    default:
+      return reject(where, "type " + t.getAsString() + " has no GLSL form");
   }
 }
 
@@ -119,7 +126,8 @@ glsl_type translator::type_of(QualType t, SourceLocation where) {
   t = t.getNonReferenceType().getUnqualifiedType();
   glsl_type result;
   std::string extent;
-  for (QualType element; is_array(t, element, extent, where); t = element) result.extents += "[" + extent + "]";
+  for (QualType element; is_array(t, element, extent, where); t = element)
+    result.extents += "[" + extent + "]";
   if (t->isPointerType()) {
     result.name = reject(where, "pointer");
     return result;
@@ -140,9 +148,8 @@ glsl_type translator::type_of(QualType t, SourceLocation where) {
   }
   const auto* record = t->getAsCXXRecordDecl();
   if (record == nullptr) {
-    result.name = t->getAs<BuiltinType>() != nullptr
-                      ? scalar_type(t, where)
-                      : reject(where, "type " + t.getAsString() + " has no GLSL form");
+    result.name = t->getAs<BuiltinType>() != nullptr ? scalar_type(t, where)
+                                                     : reject(where, "type " + t.getAsString() + " has no GLSL form");
     return result;
   }
   const auto* special = dyn_cast<ClassTemplateSpecializationDecl>(record);
@@ -198,7 +205,8 @@ std::string translator::zero(QualType t, SourceLocation where) {
     }
     const std::string one = zero(element, where);
     std::string parts = one;
-    for (unsigned i = 1; i < count; ++i) parts += ", " + one;
+    for (unsigned i = 1; i < count; ++i)
+      parts += ", " + one;
     return type.text() + "(" + parts + ")";
   }
   const auto* record = t->getAsCXXRecordDecl();

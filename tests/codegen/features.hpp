@@ -1,17 +1,17 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -56,7 +56,9 @@ struct sample_pair {
     case kind::flat:  // falls in from above
       result = x + 1u;
       break;
-    case kind::frizzy: result = x * 3u; break;
+    case kind::frizzy:
+      result = x * 3u;
+      break;
     default: {
       result = x ^ 0xffu;
       break;
@@ -177,7 +179,7 @@ struct turn {
 /// Constants that a compiler folds: in float, as C++ rounds them.
 [[nodiscard]] inline float folded(float x) noexcept {
   const float tenth = 0.1f;
-  return x * (tenth * 3.0f) + (third + half_pi<float>) + (0.25f + 0.5f) + (weights[1] + half_pi<float>);
+  return x * (tenth * 3.0f) + (third + half_pi<float>)+(0.25f + 0.5f) + (weights[1] + half_pi<float>);
 }
 
 /// A struct with a size, and a function over it whose size is the struct's.

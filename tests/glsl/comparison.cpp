@@ -85,9 +85,13 @@ bool within(const column& c, const std::uint32_t* expected, const std::uint32_t*
 
 }  // namespace
 
-float row::f(std::size_t i) const { return std::bit_cast<float>(words[i]); }
+float row::f(std::size_t i) const {
+  return std::bit_cast<float>(words[i]);
+}
 
-void results::put(float value) { words_.push_back(std::bit_cast<std::uint32_t>(value)); }
+void results::put(float value) {
+  words_.push_back(std::bit_cast<std::uint32_t>(value));
+}
 void results::put(const glm::vec3& v) {
   put(v.x);
   put(v.y);
@@ -103,12 +107,14 @@ void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,
   device& gpu = *the_device();
   const std::size_t stride = inputs.size();
   std::size_t width = 0;
-  for (const column& c : columns) width += c.words;
+  for (const column& c : columns)
+    width += c.words;
   const auto rows = static_cast<std::size_t>(*rc::gen::inRange(1, 513));
   std::vector<std::uint32_t> given(rows * stride);
   for (std::size_t i = 0; i < stride; ++i) {
     const auto values = *rc::gen::container<std::vector<std::uint32_t>>(rows, inputs[i]);
-    for (std::size_t r = 0; r < rows; ++r) given[r * stride + i] = values[r];
+    for (std::size_t r = 0; r < rows; ++r)
+      given[r * stride + i] = values[r];
   }
   std::vector<std::uint32_t> got(rows * width);
   const std::vector<std::uint32_t>* const untouched = &given;
@@ -132,8 +138,8 @@ void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,
           char text[96];
           const std::uint32_t e = expected.words()[at + i];
           const std::uint32_t g = got[r * width + at + i];
-          std::snprintf(text, sizeof text, " %08x (%.9g) got %08x (%.9g)", e, static_cast<double>(std::bit_cast<float>(e)),
-                        g, static_cast<double>(std::bit_cast<float>(g)));
+          std::snprintf(text, sizeof text, " %08x (%.9g) got %08x (%.9g)", e,
+                        static_cast<double>(std::bit_cast<float>(e)), g, static_cast<double>(std::bit_cast<float>(g)));
           message += text;
         }
         message += ", given";
@@ -151,18 +157,25 @@ void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,
 
 namespace {
 
-std::uint32_t word(float x) { return std::bit_cast<std::uint32_t>(x); }
+std::uint32_t word(float x) {
+  return std::bit_cast<std::uint32_t>(x);
+}
 
 }  // namespace
 
-rc::Gen<std::uint32_t> any_word() { return rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>()); }
+rc::Gen<std::uint32_t> any_word() {
+  return rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint32_t>());
+}
 
-rc::Gen<std::uint32_t> few_words() { return rc::gen::inRange<std::uint32_t>(0U, 8U); }
+rc::Gen<std::uint32_t> few_words() {
+  return rc::gen::inRange<std::uint32_t>(0U, 8U);
+}
 
 rc::Gen<std::uint32_t> between(float low, float high) {
   return rc::gen::map(any_word(), [low, high](std::uint32_t w) {
     const double t = static_cast<double>(w) / 4294967295.0;
-    return word(static_cast<float>(static_cast<double>(low) + t * (static_cast<double>(high) - static_cast<double>(low))));
+    return word(
+        static_cast<float>(static_cast<double>(low) + t * (static_cast<double>(high) - static_cast<double>(low))));
   });
 }
 

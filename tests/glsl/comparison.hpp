@@ -3,10 +3,10 @@
 #pragma once
 #include <rapidcheck.h>
 
-#include <cstdint>
-#include <functional>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -41,15 +41,17 @@ class results {
 
 /// What one function of a kernel gives, and how far a device may be off.
 struct column {
-  const char* function;       ///< as the table names it
-  std::size_t words;          ///< of its result
-  double cpu_ulps;            ///< bound on lavapipe; bits() means equal
-  double gpu_ulps;            ///< bound on a GPU
-  float scale = 0.0F;         ///< an ulp is one of the result or of this, whichever is larger
+  const char* function;  ///< as the table names it
+  std::size_t words;     ///< of its result
+  double cpu_ulps;       ///< bound on lavapipe; bits() means equal
+  double gpu_ulps;       ///< bound on a GPU
+  float scale = 0.0F;    ///< an ulp is one of the result or of this, whichever is larger
 };
 
 /// The bound of whole numbers: not one bit.
-constexpr double bits() { return -1.0; }
+constexpr double bits() {
+  return -1.0;
+}
 
 /// Runs a kernel over rows of `inputs`, whole columns drawn by rapidcheck, and compares each column of the results
 /// with what `reference` computes here. Differences in floats are measured in ulps, those of a vector in ulps of its

@@ -52,20 +52,23 @@ constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 }  // namespace
 
 /// Every Vulkan function that the harness calls, X-macro so that each is named once.
-#define PELAGE_INSTANCE_FUNCTIONS(X)                                                                            \
-  X(vkDestroyInstance) X(vkEnumeratePhysicalDevices) X(vkGetPhysicalDeviceProperties)                           \
-  X(vkGetPhysicalDeviceMemoryProperties) X(vkGetPhysicalDeviceQueueFamilyProperties) X(vkCreateDevice)          \
-  X(vkGetPhysicalDeviceFeatures2) X(vkGetDeviceProcAddr)
-#define PELAGE_DEVICE_FUNCTIONS(X)                                                                              \
-  X(vkDestroyDevice) X(vkGetDeviceQueue) X(vkCreateBuffer) X(vkDestroyBuffer) X(vkGetBufferMemoryRequirements)  \
-  X(vkAllocateMemory) X(vkFreeMemory) X(vkBindBufferMemory) X(vkMapMemory) X(vkUnmapMemory)                     \
-  X(vkCreateShaderModule) X(vkDestroyShaderModule) X(vkCreateDescriptorSetLayout)                               \
-  X(vkDestroyDescriptorSetLayout) X(vkCreatePipelineLayout) X(vkDestroyPipelineLayout)                          \
-  X(vkCreateComputePipelines) X(vkDestroyPipeline) X(vkCreateDescriptorPool) X(vkDestroyDescriptorPool)         \
-  X(vkAllocateDescriptorSets) X(vkUpdateDescriptorSets) X(vkCreateCommandPool) X(vkDestroyCommandPool)          \
-  X(vkAllocateCommandBuffers) X(vkBeginCommandBuffer) X(vkEndCommandBuffer) X(vkCmdBindPipeline)                \
-  X(vkCmdBindDescriptorSets) X(vkCmdDispatch) X(vkCmdPipelineBarrier) X(vkCmdCopyBuffer) X(vkQueueSubmit)       \
-  X(vkQueueWaitIdle) X(vkResetDescriptorPool) X(vkResetCommandPool)
+#define PELAGE_INSTANCE_FUNCTIONS(X)                                                                    \
+  X(vkDestroyInstance)                                                                                  \
+  X(vkEnumeratePhysicalDevices) X(vkGetPhysicalDeviceProperties) X(vkGetPhysicalDeviceMemoryProperties) \
+      X(vkGetPhysicalDeviceQueueFamilyProperties) X(vkCreateDevice) X(vkGetPhysicalDeviceFeatures2)     \
+          X(vkGetDeviceProcAddr)
+#define PELAGE_DEVICE_FUNCTIONS(X)                                                                                     \
+  X(vkDestroyDevice)                                                                                                   \
+  X(vkGetDeviceQueue) X(vkCreateBuffer) X(vkDestroyBuffer) X(vkGetBufferMemoryRequirements) X(vkAllocateMemory)        \
+      X(vkFreeMemory) X(vkBindBufferMemory) X(vkMapMemory) X(vkUnmapMemory) X(vkCreateShaderModule)                    \
+          X(vkDestroyShaderModule) X(vkCreateDescriptorSetLayout) X(vkDestroyDescriptorSetLayout)                      \
+              X(vkCreatePipelineLayout) X(vkDestroyPipelineLayout) X(vkCreateComputePipelines) X(vkDestroyPipeline)    \
+                  X(vkCreateDescriptorPool) X(vkDestroyDescriptorPool) X(vkAllocateDescriptorSets)                     \
+                      X(vkUpdateDescriptorSets) X(vkCreateCommandPool) X(vkDestroyCommandPool)                         \
+                          X(vkAllocateCommandBuffers) X(vkBeginCommandBuffer) X(vkEndCommandBuffer)                    \
+                              X(vkCmdBindPipeline) X(vkCmdBindDescriptorSets) X(vkCmdDispatch) X(vkCmdPipelineBarrier) \
+                                  X(vkCmdCopyBuffer) X(vkQueueSubmit) X(vkQueueWaitIdle) X(vkResetDescriptorPool)      \
+                                      X(vkResetCommandPool)
 
 struct device::state {
   void* loader = nullptr;
@@ -110,8 +113,7 @@ struct device::state {
   void open_instance() {
     loader = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
     if (loader == nullptr) throw std::runtime_error(selection() + ": no Vulkan loader, " + dlerror());
-    vkGetInstanceProcAddr =
-        reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(loader, "vkGetInstanceProcAddr"));
+    vkGetInstanceProcAddr = reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(loader, "vkGetInstanceProcAddr"));
     PFN_vkCreateInstance vkCreateInstance = nullptr;
     PFN_vkEnumerateInstanceLayerProperties vkEnumerateInstanceLayerProperties = nullptr;
     load(vkCreateInstance, "vkCreateInstance");
@@ -120,7 +122,8 @@ struct device::state {
     vkEnumerateInstanceLayerProperties(&count, nullptr);
     std::vector<VkLayerProperties> layers(count);
     vkEnumerateInstanceLayerProperties(&count, layers.data());
-    for (const VkLayerProperties& l : layers) validated |= std::strcmp(l.layerName, validation_layer) == 0;
+    for (const VkLayerProperties& l : layers)
+      validated |= std::strcmp(l.layerName, validation_layer) == 0;
 
     VkApplicationInfo app{};
     app.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
@@ -168,7 +171,8 @@ struct device::state {
         vkGetPhysicalDeviceProperties(one, &properties);
         if (gpu_only) seen += (seen.empty() ? "" : ", ") + std::string(properties.deviceName);
         const bool gpu = properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
-        const bool fits = wanted.empty() ? gpu || !gpu_only : lower(properties.deviceName).find(wanted) != std::string::npos;
+        const bool fits =
+            wanted.empty() ? gpu || !gpu_only : lower(properties.deviceName).find(wanted) != std::string::npos;
         if (fits && properties.apiVersion >= VK_API_VERSION_1_2) {
           physical = one;
           name = properties.deviceName;
@@ -186,7 +190,8 @@ struct device::state {
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-    while (family < count && (families[family].queueFlags & VK_QUEUE_COMPUTE_BIT) == 0) ++family;
+    while (family < count && (families[family].queueFlags & VK_QUEUE_COMPUTE_BIT) == 0)
+      ++family;
 
     VkPhysicalDeviceVulkan12Features has12{};
     has12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
@@ -214,8 +219,8 @@ struct device::state {
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queues;
     check(vkCreateDevice(physical, &info, nullptr, &handle), "vkCreateDevice on " + name);
-#define X(f)                                                              \
-  f = reinterpret_cast<PFN_##f>(vkGetDeviceProcAddr(handle, #f));         \
+#define X(f)                                                      \
+  f = reinterpret_cast<PFN_##f>(vkGetDeviceProcAddr(handle, #f)); \
   if (f == nullptr) throw std::runtime_error(selection() + ": no " + #f);
     PELAGE_DEVICE_FUNCTIONS(X)
 #undef X
@@ -331,8 +336,8 @@ struct device::state {
   }
 };
 
-void device::state::run(const kernel& k, std::uint32_t invocations,
-                        std::span<std::vector<std::uint32_t>* const> words, std::uint32_t group) {
+void device::state::run(const kernel& k, std::uint32_t invocations, std::span<std::vector<std::uint32_t>* const> words,
+                        std::uint32_t group) {
   const auto count = static_cast<std::uint32_t>(words.size());
   const pipeline& p = pipeline_for(k, count, group);
   check(vkResetDescriptorPool(handle, descriptors, 0), "vkResetDescriptorPool");
@@ -358,7 +363,8 @@ void device::state::run(const kernel& k, std::uint32_t invocations,
 
   std::vector<buffer> near(count);
   std::vector<buffer> far(count);
-  const auto barrier = [&](VkPipelineStageFlags from, VkAccessFlags wrote, VkPipelineStageFlags to, VkAccessFlags reads) {
+  const auto barrier = [&](VkPipelineStageFlags from, VkAccessFlags wrote, VkPipelineStageFlags to,
+                           VkAccessFlags reads) {
     VkMemoryBarrier all{};
     all.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
     all.srcAccessMask = wrote;
@@ -370,8 +376,7 @@ void device::state::run(const kernel& k, std::uint32_t invocations,
     near[i] = make_buffer(bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                           VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
     far[i] = make_buffer(
-        bytes,
-        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+        bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
         VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     void* mapped = nullptr;
     check(vkMapMemory(handle, near[i].memory, 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory");
@@ -427,11 +432,21 @@ device::device() : state_(std::make_unique<state>()) {
 
 device::~device() = default;
 
-const std::string& device::name() const { return state_->name; }
-bool device::is_cpu() const { return state_->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
-std::uint32_t device::workgroup() const { return state_->workgroup; }
-bool device::validated() const { return state_->validated; }
-std::uint32_t device::complaints() const { return state_->complaints; }
+const std::string& device::name() const {
+  return state_->name;
+}
+bool device::is_cpu() const {
+  return state_->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
+std::uint32_t device::workgroup() const {
+  return state_->workgroup;
+}
+bool device::validated() const {
+  return state_->validated;
+}
+std::uint32_t device::complaints() const {
+  return state_->complaints;
+}
 
 void device::run(const kernel& k, std::uint32_t invocations, std::span<std::vector<std::uint32_t>* const> buffers,
                  std::uint32_t workgroup) {

@@ -30,8 +30,8 @@ class device {
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] bool is_cpu() const;
   [[nodiscard]] std::uint32_t workgroup() const;
-  [[nodiscard]] bool validated() const;          ///< the validation layer is on
-  [[nodiscard]] std::uint32_t complaints() const; ///< messages of the validation layer so far
+  [[nodiscard]] bool validated() const;            ///< the validation layer is on
+  [[nodiscard]] std::uint32_t complaints() const;  ///< messages of the validation layer so far
 
   /// Runs at least `invocations` of a kernel, `workgroup` at a time, 0 for workgroup(). Buffer i is bound to binding i
   /// and comes back as the kernel left it; the last one is filled by the kernel alone.

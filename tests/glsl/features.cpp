@@ -35,7 +35,8 @@ TEST_CASE("Every feature of the subset means the same in GLSL") {
               out.put(features::wide(in.u(10), in.u(11)));
               out.put(features::limits(b.y));
               features::ring<6> ring = features::empty_ring<6>();
-              for (std::size_t i = 0; i < 12; ++i) ring.push(in.u(i));
+              for (std::size_t i = 0; i < 12; ++i)
+                ring.push(in.u(i));
               out.put(features::fold(ring));
               out.put(static_cast<std::uint32_t>(features::kind::frizzy));
               out.put(features::sample_pair::of(a.x, a.y).sum());

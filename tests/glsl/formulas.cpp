@@ -102,7 +102,8 @@ TEST_CASE("Coverage agrees within the stated ulps") {
               out.put(any_normal(glm::normalize(in.v3(3))));
               const segment_quad<float> quad = expand_segment(in.v3(6), in.v3(9), in.f(12), cone, 0.1F, 2.0F);
               out.put(quad.visible);
-              for (const glm::vec3& corner : quad.corner) out.put(corner);
+              for (const glm::vec3& corner : quad.corner)
+                out.put(corner);
               out.put(cone.base);
               out.put(cylinder.slope);
               out.put(tangent_stretch(0.5F * in.f(14)));

@@ -36,11 +36,13 @@ void k_buffer_row(row in, results& out) {
   near.merge(rest);
   near.sort();
   nearest.sort();
-  for (const fragment& f : near.slot) put(out, f);
+  for (const fragment& f : near.slot)
+    put(out, f);
   out.put(near.size());
   out.put(near.farthest_slot);
   out.put(rest.size());
-  for (const fragment& f : nearest.slot) put(out, f);
+  for (const fragment& f : nearest.slot)
+    put(out, f);
 }
 
 template <std::uint32_t K>
@@ -67,7 +69,7 @@ void k_buffer_holds(const kernel& k) {
 
 /// The lists of one frame as the kernels bind them.
 struct frame {
-  std::vector<std::uint32_t> offers;    ///< limit, lists, then depth and id of each fragment
+  std::vector<std::uint32_t> offers;  ///< limit, lists, then depth and id of each fragment
   std::vector<std::uint32_t> links;
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint32_t> counters{0U, 0U};  ///< taken, refused
@@ -111,7 +113,8 @@ template <typename Insert>
 frame sequential(frame f, std::uint32_t lists, const std::vector<fragment>& fragments, Insert insert) {
   std::vector<fragment> nodes(f.nodes.size() / 2);
   atomic_list_storage storage{f.links, nodes, f.counters.data(), f.counters.data() + 1};
-  for (std::uint32_t i = 0; i < fragments.size(); ++i) insert(storage, i % lists, fragments[i]);
+  for (std::uint32_t i = 0; i < fragments.size(); ++i)
+    insert(storage, i % lists, fragments[i]);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     f.nodes[2 * i] = std::bit_cast<std::uint32_t>(nodes[i].depth);
     f.nodes[2 * i + 1] = nodes[i].id;
@@ -140,7 +143,8 @@ TEST_CASE("Ordered lists that 65536 invocations build at once equal those built 
       built.run(kernels::ordered_list);
       CHECK(built.counters == expected.counters);
       bool equal = true;
-      for (std::uint32_t l = 0; l < lists; ++l) equal = equal && built.list(l) == expected.list(l);
+      for (std::uint32_t l = 0; l < lists; ++l)
+        equal = equal && built.list(l) == expected.list(l);
       CHECK(equal);
     }
   }
@@ -218,7 +222,8 @@ TEST_CASE("A full pool keeps every unsorted list intact and counts what it refus
   built.run(kernels::a_buffer);
   CHECK(built.counters[1] == 65536U - 10000U);
   std::size_t held = 0;
-  for (std::uint32_t l = 0; l < 128U; ++l) held += built.list(l).size();
+  for (std::uint32_t l = 0; l < 128U; ++l)
+    held += built.list(l).size();
   CHECK(held == 10000U);
 }
 
