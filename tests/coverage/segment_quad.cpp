@@ -84,9 +84,9 @@ fibre_piece draw_perspective_piece() {
   return draw_piece(ray_cone<double>{0.0, draw_on_log_scale(1e-5, 0.3)});
 }
 
-/// A thick fibre that the eye sees almost end on.
+/// A thick fibre that the eye sees almost end on, under pixels too small to cover up for rounding.
 fibre_piece draw_end_on_piece() {
-  fibre_piece in = draw_perspective_piece();
+  fibre_piece in = draw_piece(ray_cone<double>{0.0, 1e-5});
   const glm::dvec3 direction = glm::normalize(in.start) + draw_on_log_scale(1e-6, 1e-4) * draw_direction();
   in.end = in.start + draw_on_log_scale(0.01, 1.0) * glm::length(in.start) * direction;
   in.fibre_radius = 0.3 * glm::length(in.start);
@@ -156,11 +156,14 @@ void check_that_no_pixel_is_missed(const fibre_piece& in) {
   // What float rounds, or the 1e-6 radians by which a segment counts as seen end on.
   const double slack = (perspective ? 3e-6 : 1e-6) * (glm::length(in.start) + glm::length(in.end));
   for (int i = 0; i < 300; ++i) {
-    const auto [u, v, w, reach] = even_point<4>(i);
+    const auto [u, v, w, inside] = even_point<4>(i);
     const glm::dvec3 axis_point = first + std::clamp(1.5 * u - 0.25, 0.0, 1.0) * (last - first);
     const double radius = in.fibre_radius + radius_at(in.cone, -axis_point.z);
+    // Where the ray that touches a ball of this radius passes its centre at right angles to the ray to the centre.
+    const double sine = perspective ? std::min(0.999, radius / glm::length(axis_point)) : 0.0;
+    const double touching = radius / std::sqrt(1.0 - sine * sine);
     const glm::dvec3 aside = glm::normalize(glm::cross(through(axis_point, in.cone).direction, on_sphere(v, w)));
-    const glm::dvec3 shown = axis_point + (0.8 + 0.4 * reach) * radius * aside;
+    const glm::dvec3 shown = axis_point + (1.0 - on_log_scale(inside, 1e-4, 0.3)) * touching * aside;
     if (shown.z >= 0.0) continue;
     const ray r = through(shown, in.cone);
     const closest_pair<double> pair = closest_points(r.origin, r.direction, first, last);

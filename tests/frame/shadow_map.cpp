@@ -153,7 +153,7 @@ TEST_CASE("between texels' centres it is their bilinear mean, and a bias asks ne
           scene.point(static_cast<float>(x) + 0.5F + u, static_cast<float>(y) + 0.5F + v, to), bias);
     };
     RC_ASSERT(std::abs(passed(depth, 0.0F) - mean) < 1e-6F);
-    RC_ASSERT(passed(depth, 0.25F) == passed(depth - 0.25F, 0.0F));
+    for (float to = 1.0F; to < 32.0F; to += 0.25F) RC_ASSERT(passed(to, 0.25F) == passed(to - 0.25F, 0.0F));
   });
 }
 

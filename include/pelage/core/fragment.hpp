@@ -23,10 +23,11 @@ struct fragment {
 /// False for what every structure refuses: a NaN depth, or the id of no_fragment().
 [[nodiscard]] constexpr bool is_fragment(fragment f) noexcept;
 
-/// The total order: true if `a` is nearer than `b`, or as near with the smaller id. False if a depth is NaN.
+/// The total order: true if `a` is nearer than `b`, or as near with the smaller id. It compares depth_key(), not
+/// floats: denormals count on machines that flush them, too, and a NaN lies beyond the infinity of its sign.
 [[nodiscard]] constexpr bool before(fragment a, fragment b) noexcept;
 
-/// True if both are the same fragment: equal depth (-0 equals +0) and equal id. False if a depth is NaN.
+/// True if both are the same fragment: neither is before the other.
 [[nodiscard]] constexpr bool same(fragment a, fragment b) noexcept;
 
 /// An unsigned number that orders as the depth does: key(a) < key(b) exactly when a < b. -0 and +0 share a
@@ -43,15 +44,18 @@ constexpr fragment no_fragment() noexcept {
 }
 
 constexpr bool is_fragment(fragment f) noexcept {
-  return f.depth == f.depth && f.id != 0xffffffffu;
+  const std::uint32_t magnitude = std::bit_cast<std::uint32_t>(f.depth) & 0x7fffffffu;
+  return magnitude <= 0x7f800000u && f.id != 0xffffffffu;
 }
 
 constexpr bool before(fragment a, fragment b) noexcept {
-  return a.depth < b.depth || (a.depth == b.depth && a.id < b.id);
+  const std::uint32_t key_a = depth_key(a.depth);
+  const std::uint32_t key_b = depth_key(b.depth);
+  return key_a < key_b || (key_a == key_b && a.id < b.id);
 }
 
 constexpr bool same(fragment a, fragment b) noexcept {
-  return a.depth == b.depth && a.id == b.id;
+  return depth_key(a.depth) == depth_key(b.depth) && a.id == b.id;
 }
 
 constexpr std::uint32_t depth_key(float depth) noexcept {
