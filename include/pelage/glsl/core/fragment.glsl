@@ -20,10 +20,11 @@ pelage_fragment pelage_no_fragment();
 /// False for what every structure refuses: a NaN depth, or the id of no_fragment().
 bool pelage_is_fragment(pelage_fragment f);
 
-/// The total order: true if `a` is nearer than `b`, or as near with the smaller id. False if a depth is NaN.
+/// The total order: true if `a` is nearer than `b`, or as near with the smaller id. It compares depth_key(), not
+/// floats: denormals count on machines that flush them, too, and a NaN lies beyond the infinity of its sign.
 bool pelage_before(pelage_fragment a, pelage_fragment b);
 
-/// True if both are the same fragment: equal depth (-0 equals +0) and equal id. False if a depth is NaN.
+/// True if both are the same fragment: neither is before the other.
 bool pelage_same(pelage_fragment a, pelage_fragment b);
 
 /// An unsigned number that orders as the depth does: key(a) < key(b) exactly when a < b. -0 and +0 share a
@@ -40,15 +41,18 @@ pelage_fragment pelage_no_fragment() {
 }
 
 bool pelage_is_fragment(pelage_fragment f) {
-  return f.depth == f.depth && f.id != 0xffffffffu;
+  const uint magnitude = floatBitsToUint(f.depth) & 0x7fffffffu;
+  return magnitude <= 0x7f800000u && f.id != 0xffffffffu;
 }
 
 bool pelage_before(pelage_fragment a, pelage_fragment b) {
-  return a.depth < b.depth || (a.depth == b.depth && a.id < b.id);
+  const uint key_a = pelage_depth_key(a.depth);
+  const uint key_b = pelage_depth_key(b.depth);
+  return key_a < key_b || (key_a == key_b && a.id < b.id);
 }
 
 bool pelage_same(pelage_fragment a, pelage_fragment b) {
-  return a.depth == b.depth && a.id == b.id;
+  return pelage_depth_key(a.depth) == pelage_depth_key(b.depth) && a.id == b.id;
 }
 
 uint pelage_depth_key(float depth) {
