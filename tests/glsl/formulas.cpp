@@ -108,8 +108,8 @@ TEST_CASE("Coverage agrees within the stated ulps") {
               out.put(cylinder.slope);
               out.put(tangent_stretch(0.5F * in.f(14)));
             },
-            {{"closest_points along_ray", 1, 16, 64, 1.0F},
-             {"closest_points along_segment", 1, 16, 64, 1.0F},
+            {{"closest_points along_ray", 1, 16, 512, 1.0F},
+             {"closest_points along_segment", 1, 16, 512, 1.0F},
              {"closest_points distance", 1, 16, 64, 4.0F},
              {"cap_share", 1, 0, 8},
              {"disc_strip_share", 1, 0, 64, 0.1F},
