@@ -19,17 +19,41 @@ namespace {
 
 using clock = std::chrono::steady_clock;
 
+constexpr float largest = 1e12F;  ///< lengths that a frame takes
+
 double seconds_since(clock::time_point start) { return std::chrono::duration<double>(clock::now() - start).count(); }
 
 void check(const frame_settings& s) {
   const auto in_range = [](int n) { return n >= 1 && n <= 16384; };
   if (!in_range(s.width) || !in_range(s.height)) throw std::invalid_argument("the picture's sides must be in [1, 16384]");
-  if (s.map_size != 0 && !in_range(s.map_size)) throw std::invalid_argument("the map's side must be in [1, 16384]");
+  if (s.map_size != 0 && (s.map_size == 1 || !in_range(s.map_size))) {
+    throw std::invalid_argument("the map's side must be 0 or in [2, 16384]");
+  }
   if (s.opacity > 1.0F || std::isnan(s.opacity)) throw std::invalid_argument("alpha must be in [0, 1]");
   if (s.from && !(std::isfinite(s.from->x) && std::abs(s.from->y) < 90.0F)) {
     throw std::invalid_argument("the camera's elevation must be in (-90, 90) degrees");
   }
-  if (!(s.fibre_radius < INFINITY)) throw std::invalid_argument("the fibre's radius must be finite");
+  if (!(s.fibre_radius <= largest)) throw std::invalid_argument("the fibre's radius must be at most 1e12");
+}
+
+/// Squares of what a frame computes with must stay in float's range.
+void check(const hair_model& model, const box& bounds) {
+  const auto too_large = [](float x) { return !(std::abs(x) <= largest); };
+  if (bounds.empty()) return;
+  for (const glm::vec3& corner : {bounds.lower, bounds.upper}) {
+    if (too_large(corner.x) || too_large(corner.y) || too_large(corner.z)) {
+      throw std::invalid_argument("the model reaches beyond 1e12 units");
+    }
+  }
+  const float extent = glm::length(bounds.upper - bounds.lower);
+  if (extent > 0.0F && extent < 1.0F / largest) throw std::invalid_argument("the model is smaller than 1e-12 units");
+  if (too_large(model.default_thickness) || std::any_of(model.thickness.begin(), model.thickness.end(), too_large)) {
+    throw std::invalid_argument("a fibre is thicker than 1e12 units");
+  }
+  const auto too_bright = [](const glm::vec3& c) { return !(std::max({c.x, c.y, c.z}) <= 1e6F); };
+  if (too_bright(model.default_colour) || std::any_of(model.colour.begin(), model.colour.end(), too_bright)) {
+    throw std::invalid_argument("a fibre's colour is brighter than 1e6");
+  }
 }
 
 /// Every segment's number, in an order that depends on the seed alone.
@@ -100,14 +124,14 @@ view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& towa
   constexpr float tan_half_fov = 0.268F;  // 30 degrees
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
   const glm::vec3 half = bounds.empty() ? glm::vec3(1.0F) : 0.5F * (bounds.upper - bounds.lower);
-  const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0.0F, 1.0F, 0.0F), toward));
-  const glm::vec3 up = glm::cross(toward, right);
+  const glm::mat3 axes = perspective_view(toward, glm::vec3(0.0F), tan_half_fov, width, height, 0.0F).rotation;
   float distance = 1.01F * round.radius;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::vec3 sign((corner & 1) != 0 ? 1.0F : -1.0F, (corner & 2) != 0 ? 1.0F : -1.0F,
                          (corner & 4) != 0 ? 1.0F : -1.0F);
     const glm::vec3 c = sign * half;
-    const float aside = std::max(std::abs(glm::dot(c, right)) / aspect, std::abs(glm::dot(c, up)));
+    const glm::vec3 seen = axes * c;
+    const float aside = std::max(std::abs(seen.x) / aspect, std::abs(seen.y));
     distance = std::max(distance, 1.02F * aside / tan_half_fov + glm::dot(c, toward));
   }
   return perspective_view(round.centre + distance * toward, round.centre, tan_half_fov, width, height,
@@ -118,10 +142,11 @@ view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& towa
 
 frame_result draw_frame(const hair_model& model, const frame_settings& settings,
                         const std::function<void(const std::string&, double)>& progress) {
-  check(settings);
   const clock::time_point start = clock::now();
-  const strands fibres = prepare_strands(model, {settings.fibre_radius, settings.opacity});
   const box bounds = model.bounds();
+  check(settings);
+  check(model, bounds);
+  const strands fibres = prepare_strands(model, {settings.fibre_radius, settings.opacity});
   const sphere round = sphere_round(bounds);
   const std::vector<std::uint32_t> order = drawing_order(fibres.segment_count(), settings.shuffle);
   const order_options options{settings.order, settings.k, order};
@@ -130,12 +155,13 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   scene world{fibres, opaque_objects(model, bounds, round, settings.on_bust), {}, round, glm::vec3(0.62F, 0.66F, 0.72F), {}};
   const glm::vec2 from = settings.from ? *settings.from : best_side(world.opaque, round, settings.on_bust);
   const std::vector<light> lights = settings.lights.empty() ? studio(from.x) : settings.lights;
-  const int texels = settings.map_size != 0 ? settings.map_size : std::max(settings.width, settings.height);
+  const int texels = settings.map_size != 0 ? settings.map_size : std::clamp(std::max(settings.width, settings.height), 2, 2048);
   const double passes = static_cast<double>(lights.size() + 1);
 
   // A map keeps pointers to its raster and view for its depths; they live as long as the scene.
   std::vector<std::unique_ptr<view>> views;
   std::vector<std::unique_ptr<raster>> rasters;
+  for (const light& relative : lights) (void)light_view(place_light(relative, round), round, texels);
   for (const light& relative : lights) {
     lit l{place_light(relative, round), nullptr};
     if (has_shadows(settings.shown)) {
@@ -144,7 +170,7 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
       const clock::time_point pass_start = clock::now();
       views.push_back(std::make_unique<view>(light_view(l.source, round, texels)));
       rasters.push_back(std::make_unique<raster>(fibres, *views.back(), true));
-      l.shadow = std::make_unique<shadow_map>(*rasters.back(), world.opaque, settings.k);
+      l.shadow = std::make_unique<shadow_map>(*rasters.back(), world.opaque, settings.k, has_translucency(settings.shown));
       const double prepared = seconds_since(pass_start);
       const order_report report = run_order_pass(*rasters.back(), l.shadow->limit(), options, *l.shadow);
       result.passes.push_back({name, prepared, report, l.shadow->bytes()});
@@ -156,10 +182,9 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const clock::time_point pass_start = clock::now();
   const view eye = fitted_camera(bounds, round, direction_of(from), settings.width, settings.height);
   const raster fragments(fibres, eye, settings.antialias);
-  const std::vector<float> limit = opaque_depths(eye, world.opaque);
   camera_film film(fragments, world, settings.shown, settings.antialias);
   const double prepared = seconds_since(pass_start);
-  const order_report report = run_order_pass(fragments, limit, options, film);
+  const order_report report = run_order_pass(fragments, film.limit(), options, film);
   result.picture = film.picture();
   result.passes.push_back({"camera", prepared, report, result.picture.pixels.size() * sizeof(glm::vec3)});
   result.seconds = seconds_since(start);

@@ -19,7 +19,7 @@ namespace pelage::frame {
 struct frame_settings {
   int width = 640;                               ///< pixels, [1, 16384]
   int height = 640;
-  int map_size = 0;                              ///< texels a side of each light's map; 0: the picture's larger side
+  int map_size = 0;                              ///< texels a side of each light's map, [2, 16384]; 0: the picture's larger side, at most 2048
   order_method order = order_method::k_buffer;
   std::uint32_t k = 16;                          ///< one of compiled_k
   components shown = components::full;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <glm/glm.hpp>
+#include <limits>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,8 +11,8 @@ namespace pelage::frame {
 
 /// An axis-aligned box. Empty (lower > upper) when it holds no point.
 struct box {
-  glm::vec3 lower{+1e30F};
-  glm::vec3 upper{-1e30F};
+  glm::vec3 lower{+std::numeric_limits<float>::infinity()};
+  glm::vec3 upper{-std::numeric_limits<float>::infinity()};
 
   [[nodiscard]] bool empty() const { return lower.x > upper.x; }
 };

@@ -97,10 +97,8 @@ float decode_srgb(std::uint8_t encoded) {
   return values[encoded];
 }
 
-void save_png(const std::filesystem::path& path, const image& picture) {
-  const auto fail = [&](const std::string& fault) {
-    throw std::runtime_error(printable(path) + ": " + fault);
-  };
+std::vector<std::byte> encode_png(const image& picture) {
+  const auto fail = [](const std::string& fault) { throw std::runtime_error(fault); };
   if (picture.pixels.empty() || !is_consistent(picture)) fail("the picture has no pixels");
   if (picture.width > INT_MAX / 3 / picture.height) fail("the picture is too large for a PNG");
 
@@ -110,14 +108,23 @@ void save_png(const std::filesystem::path& path, const image& picture) {
     for (int x = 0; x < picture.width; ++x) {
       const glm::vec3 p = picture.at(x, y);
       if (!is_finite(p)) fail("pixel " + std::to_string(x) + ", " + std::to_string(y) + " is not finite");
-      for (int c = 0; c < 3; ++c)
-        encoded.push_back(encode_srgb(p[c]));
+      for (int c = 0; c < 3; ++c) encoded.push_back(encode_srgb(p[c]));
     }
   }
   std::vector<std::byte> png;
   if (stbi_write_png_to_func(append_bytes, &png, picture.width, picture.height, 3, encoded.data(),
                              picture.width * 3) == 0) {
     fail("the picture cannot be encoded");
+  }
+  return png;
+}
+
+void save_png(const std::filesystem::path& path, const image& picture) {
+  std::vector<std::byte> png;
+  try {
+    png = encode_png(picture);
+  } catch (const std::runtime_error& fault) {
+    throw std::runtime_error(printable(path) + ": " + fault.what());
   }
   write_file(path, png);
 }

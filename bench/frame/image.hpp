@@ -38,7 +38,11 @@ struct image {
 /// The linear value of an 8-bit sRGB one, [0, 1].
 [[nodiscard]] float decode_srgb(std::uint8_t encoded);
 
-/// Writes an 8-bit sRGB PNG. The same picture gives the same bytes. Colours outside [0, 1] are clamped.
+/// An 8-bit sRGB PNG. The same picture gives the same bytes. Colours outside [0, 1] are clamped.
+/// Throws std::runtime_error, one line, for a non-finite pixel or an empty picture.
+[[nodiscard]] std::vector<std::byte> encode_png(const image& picture);
+
+/// Writes encode_png() to a file.
 ///
 /// Throws std::runtime_error, "FILE: what is wrong" on one line, for a non-finite pixel, an empty picture, or
 /// a file that cannot be written; then the file is as it was before and nothing is left beside it.

@@ -32,8 +32,8 @@ float read_number(const std::string& text, const std::string& whole) {
   } catch (const std::exception&) {
     used = 0;
   }
-  if (used == 0 || used != text.size() || !std::isfinite(value)) {
-    throw std::invalid_argument(fmt::format("light '{}': '{}' is not a finite number", whole, text));
+  if (used == 0 || used != text.size() || !(std::abs(value) <= 1e6F)) {
+    throw std::invalid_argument(fmt::format("light '{}': '{}' is not a number in [-1e6, 1e6]", whole, text));
   }
   return value;
 }

@@ -9,9 +9,11 @@
 #include <tbb/task_arena.h>
 #include <unistd.h>
 
+#include <charconv>
+#include <cstring>
 #include <filesystem>
 #include <map>
-#include <memory>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -20,6 +22,7 @@
 #include "frame/follow_strands.hpp"
 #include "frame/frame.hpp"
 #include "frame/hair_file.hpp"
+#include "frame/input_file.hpp"
 #include "frame/output_file.hpp"
 #include "frame/tfx_file.hpp"
 
@@ -38,11 +41,10 @@ const std::map<std::string, components> component_names{{"single", components::s
                                                         {"full", components::full}};
 
 template <class Value>
-std::string name_of(const std::map<std::string, Value>& names, Value value) {
-  for (const auto& [name, other] : names) {
-    if (other == value) return name;
-  }
-  return "?";
+std::vector<std::string> names(const std::map<std::string, Value>& all) {
+  std::vector<std::string> list;
+  for (const auto& [name, value] : all) list.push_back(name);
+  return list;
 }
 
 struct command_line {
@@ -55,6 +57,8 @@ struct command_line {
   std::string size = "640x640";
   std::vector<std::string> lights;
   std::vector<float> from;
+  std::string order = "k_buffer";
+  std::string components = "full";
   std::string antialias = "on";
   int threads = 0;
   std::string out = "out/frame.png";
@@ -64,27 +68,34 @@ struct command_line {
 };
 
 void parse(CLI::App& app, command_line& c, int argc, char** argv) {
-  app.add_option("--hair", c.hair, "a .hair or .tfx file; without it the built-in model is drawn");
-  app.add_option("--follow", c.follow, "follow strands for each strand of the file")->check(CLI::Range(0, 4096));
+  CLI::Option* hair = app.add_option("--hair", c.hair, "a .hair or .tfx file; without it the built-in model is drawn");
+  app.add_option("--follow", c.follow, "follow strands for each strand of the file")
+      ->check(CLI::Range(0, 4096))
+      ->needs(hair);
   app.add_option("--follow-radius", c.follow_radius, "how far they spread, model units; 0: 0.6 % of the model's size")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--strands", c.strands, "of the built-in model")->capture_default_str();
-  app.add_option("--segments", c.segments, "of each strand of the built-in model")->capture_default_str();
-  app.add_option("--seed", c.seed, "of the built-in model and of follow strands")->capture_default_str();
+      ->check(CLI::Range(0.0, 1e12))
+      ->needs(hair);
+  app.add_option("--strands", c.strands, "of the built-in model")->excludes(hair)->capture_default_str();
+  app.add_option("--segments", c.segments, "of each strand of the built-in model")->excludes(hair)->capture_default_str();
+  app.add_option("--seed", c.seed, "of the built-in model and of follow strands")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_option("--size", c.size, "WIDTHxHEIGHT or SIDE, pixels")->capture_default_str();
-  app.add_option("--map-size", c.settings.map_size, "side of each light's map, texels; 0: as the picture");
+  app.add_option("--map-size", c.settings.map_size, "side of each light's map, texels; 0: as the picture, at most 2048");
   app.add_option("--k", c.settings.k, "fragments kept a pixel and texel: 1, 2, 4, 8, 16, 32 or 64")
       ->check(CLI::IsMember({1, 2, 4, 8, 16, 32, 64}))
       ->capture_default_str();
-  app.add_option("--order", c.settings.order, "k_buffer, a_buffer, ordered_list, selection_sort or full_sort")
-      ->transform(CLI::CheckedTransformer(order_names));
-  app.add_option("--components", c.settings.shown, "single, shadows, translucency or full")
-      ->transform(CLI::CheckedTransformer(component_names));
+  app.add_option("--order", c.order, "how fragments are put in order")
+      ->check(CLI::IsMember(names(order_names)))
+      ->capture_default_str();
+  app.add_option("--components", c.components, "what is drawn")
+      ->check(CLI::IsMember(names(component_names)))
+      ->capture_default_str();
   app.add_option("--aa", c.antialias, "anti-aliasing, on or off")->check(CLI::IsMember({"on", "off"}));
   app.add_option("--alpha", c.settings.opacity, "opacity of all fibres, [0, 1]; else the model's")
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--fibre-radius", c.settings.fibre_radius, "of all fibres, model units; else the model's")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0.0, 1e12));
   app.add_option("--lights", c.lights,
                  "directional:X,Y,Z:R,G,B, point:X,Y,Z:R,G,B or spot:X,Y,Z:R,G,B:DEGREES, any number; positions in "
                  "radii of the model round its centre");
@@ -92,7 +103,8 @@ void parse(CLI::App& app, command_line& c, int argc, char** argv) {
       ->delimiter(',')
       ->expected(2);
   app.add_option("--threads", c.threads, "0: one a core")->check(CLI::Range(0, 1024));
-  app.add_option("--shuffle", c.settings.shuffle, "draw segments in an order of this seed; the picture is the same");
+  app.add_option("--shuffle", c.settings.shuffle, "draw segments in an order of this seed; the picture is the same")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
   app.add_option("--report", c.report, "a JSON file for times, counts and memory");
   app.add_option("--compare", c.compare, "a PNG to compare with; writes an error map beside --out");
@@ -102,13 +114,9 @@ void parse(CLI::App& app, command_line& c, int argc, char** argv) {
 /// Reads all of "640x480" or "640".
 void read_size(const std::string& text, frame_settings& settings) {
   const auto number = [&](const std::string& part) {
-    std::size_t used = 0;
     int value = 0;
-    try {
-      value = std::stoi(part, &used);
-    } catch (const std::exception&) {
-    }
-    if (used == 0 || used != part.size() || value < 1 || value > 16384) {
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || end != part.data() + part.size() || value < 1 || value > 16384) {
       throw std::invalid_argument(fmt::format("--size '{}': sides must be whole numbers in [1, 16384]", text));
     }
     return value;
@@ -118,9 +126,15 @@ void read_size(const std::string& text, frame_settings& settings) {
   settings.height = cross == std::string::npos ? settings.width : number(text.substr(cross + 1));
 }
 
+/// The two formats are told apart by what they begin with: a .tfx has a version number there.
+bool begins_as_hair(const std::string& path) {
+  const input_file file(path);
+  return file.size() < 4 || std::memcmp(file.bytes().data(), "HAIR", 4) == 0;
+}
+
 hair_model load(const command_line& c) {
   if (c.hair.empty()) return make_built_in(c.strands, c.segments, c.seed);
-  hair_model model = std::filesystem::path(c.hair).extension() == ".tfx" ? load_tfx(c.hair) : load_hair(c.hair);
+  hair_model model = begins_as_hair(c.hair) ? load_hair(c.hair) : load_tfx(c.hair);
   if (c.follow == 0) return model;
   const box bounds = model.bounds();
   const float size = bounds.empty() ? 1.0F : glm::length(bounds.upper - bounds.lower);
@@ -151,8 +165,8 @@ nlohmann::json report_of(const command_line& c, const hair_model& model, const f
           {"segments", model.segment_count()},
           {"width", c.settings.width},
           {"height", c.settings.height},
-          {"order", name_of(order_names, c.settings.order)},
-          {"components", name_of(component_names, c.settings.shown)},
+          {"order", c.order},
+          {"components", c.components},
           {"k", c.settings.k},
           {"seconds", frame.seconds},
           {"peak_bytes", peak_memory()},
@@ -166,15 +180,11 @@ void show_progress(const std::string& what, double done) {
              done < 1.0 ? "" : "\n");
 }
 
-/// The files that a run has written: they go again when it fails.
-struct outputs {
-  std::vector<std::filesystem::path> written;
-
-  ~outputs() {
-    std::error_code ignored;
-    for (const std::filesystem::path& path : written) std::filesystem::remove(path, ignored);
-  }
-};
+int fail(const std::string& fault) {
+  if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");  // over the progress bar
+  fmt::print(stderr, "pelage-frame: {}\n", printable(fault));  // one line, whatever names it has
+  return 2;
+}
 
 /// The picture to compare with, if any; refused before the work if it is of another size.
 std::optional<image> load_other(const command_line& c) {
@@ -189,6 +199,8 @@ std::optional<image> load_other(const command_line& c) {
 
 void run(command_line& c) {
   read_size(c.size, c.settings);
+  c.settings.order = order_names.at(c.order);
+  c.settings.shown = component_names.at(c.components);
   c.settings.antialias = c.antialias == "on";
   c.settings.on_bust = c.hair.empty();
   for (const std::string& text : c.lights) c.settings.lights.push_back(parse_light(text));
@@ -196,36 +208,42 @@ void run(command_line& c) {
   const std::size_t threads = static_cast<std::size_t>(c.threads > 0 ? c.threads : tbb::info::default_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
 
+  const std::filesystem::path out = c.out;
+  std::filesystem::path error_picture = out;
+  error_picture.replace_extension(".error.png");
   const std::optional<image> other = load_other(c);
+  if (other && std::filesystem::weakly_canonical(c.compare) == std::filesystem::weakly_canonical(error_picture)) {
+    throw std::invalid_argument(printable(c.compare) + ": the error map would take its name");
+  }
+  output_files results;
+  results.add(out);
+  if (other) results.add(error_picture);
+  if (!c.report.empty()) results.add(c.report);
+
   tbb::task_arena arena(static_cast<int>(threads));  // may be more than there are cores
   const hair_model model = arena.execute([&] { return load(c); });
   const frame_result frame = arena.execute([&] { return draw_frame(model, c.settings, show_progress); });
   nlohmann::json report = report_of(c, model, frame);
   report["threads"] = threads;
 
-  const std::filesystem::path out = c.out;
-  if (out.has_parent_path()) std::filesystem::create_directories(out.parent_path());
-  outputs made;
-  save_png(out, frame.picture);
-  made.written.push_back(out);
-  fmt::print("{}: {} strands, {} segments, {:.2f} s, {:.0f} MB at most\n", printable(out), model.strand_count(),
-             model.segment_count(), frame.seconds, static_cast<double>(peak_memory()) / 1e6);
+  std::string said = fmt::format("{}: {} strands, {} segments, {:.2f} s, {:.0f} MB at most\n", printable(out),
+                                 model.strand_count(), model.segment_count(), frame.seconds,
+                                 static_cast<double>(peak_memory()) / 1e6);
+  results.write(out, encode_png(frame.picture));
   if (other) {
     const image_difference difference = compare(frame.picture, *other);
     report["rms"] = difference.rms;
     report["maximum"] = difference.maximum;
-    std::filesystem::path map = out;
-    map.replace_extension(".error.png");
-    save_png(map, error_map(frame.picture, *other));
-    made.written.push_back(map);
-    fmt::print("{}: RMS {:.5f}, maximum {:.5f} of {}\n", printable(map), difference.rms, difference.maximum,
-               printable(c.compare));
+    results.write(error_picture, encode_png(error_map(frame.picture, *other)));
+    said += fmt::format("{}: RMS {:.5f}, maximum {:.5f} of {}\n", printable(error_picture), difference.rms,
+                        difference.maximum, printable(c.compare));
   }
   if (!c.report.empty()) {
     const std::string text = report.dump(2) + "\n";
-    write_file(c.report, std::as_bytes(std::span(text)));
+    results.write(c.report, std::as_bytes(std::span(text)));
   }
-  made.written.clear();
+  results.commit();
+  fmt::print("{}", said);
 }
 
 }  // namespace
@@ -238,14 +256,14 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "pelage-frame: {}\n", printable(error.what()));  // one line, whatever names it has
-    return 2;
+    return fail(error.what());
   }
   try {
     run(c);
+  } catch (const std::bad_alloc&) {
+    return fail("there is not enough memory for this model and size");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "pelage-frame: {}\n", printable(error.what()));  // one line, whatever names it has
-    return 2;
+    return fail(error.what());
   }
   return 0;
 }

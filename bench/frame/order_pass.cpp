@@ -48,7 +48,7 @@ struct job {
   template <class Visit>
   void for_each_visible(std::uint32_t segment, const pixel_rect& clip, Visit&& visit) const {
     from.for_each(segment, clip, [&](int x, int y, const touch& t) {
-      if (limit.empty() || t.depth < limit[pixel(x, y)]) visit(x, y, t);
+      if (limit.empty() || !(t.depth >= limit[pixel(x, y)])) visit(x, y, t);
     });
   }
 
@@ -164,7 +164,7 @@ struct list_memory {
       work.report.fragments += n;
       work.report.longest = std::max(work.report.longest, n);
     }
-    if (work.report.fragments > 0xfff00000U) {
+    if (lists_per_pixel * work.pixels() + work.report.fragments > 0xff000000U) {  // list_storage's bound
       throw std::runtime_error("the frame has more fragments than lists can number; use --order k_buffer");
     }
     nodes.resize(static_cast<std::size_t>(work.report.fragments));

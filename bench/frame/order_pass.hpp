@@ -42,9 +42,9 @@ class pixel_visitor {
 /// What a pass did and what it took.
 struct order_report {
   std::uint64_t fragments = 0;   ///< offered
-  std::uint64_t refused = 0;     ///< lost to NaN or a full pool: 0, or the frame is wrong
+  std::uint64_t refused = 0;     ///< lost to a NaN depth or a full pool: 0, or the frame is wrong
   std::uint32_t longest = 0;     ///< fragments of the pixel that has most
-  std::uint64_t bytes = 0;       ///< of the structure, bins included, largest at any time
+  std::uint64_t bytes = 0;       ///< of the structure, the tiles' lists of segments included
   double bin_seconds = 0;        ///< cutting the view into tiles, or counting fragments
   double build_seconds = 0;      ///< fragments to structure, and for k_buffer what becomes of them
   double resolve_seconds = 0;    ///< structure to what becomes of it; within the build for k_buffer

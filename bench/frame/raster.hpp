@@ -28,10 +28,10 @@ struct touch {
 /// twice gives the same bits, so that a fragment's depth and coverage need not be kept: its id finds them again.
 ///
 /// Where two segments of a strand meet, the line through the joint at right angles to the strand divides the pixels
-/// between them, so that none is counted twice.
+/// between them, so that none is counted twice. Beside segments that cross the near plane the line is an estimate.
 class raster {
  public:
-  /// `antialias` off: a pixel whose disc the axis crosses is covered whole, any other not at all.
+  /// `antialias` off: a pixel is covered whole if the axis crosses its disc or the fibre its centre, else not at all.
   /// Both references must outlive the raster. O(points), parallel.
   raster(const strands& fibres, const view& from, bool antialias);
 
@@ -115,7 +115,10 @@ inline touch raster::at(std::uint32_t segment, int x, int y) const {
   const glm::vec2 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
   const bool behind_start = glm::dot(centre - pixel_[i], joint_[i]) < 0.0F;
   const bool before_end = glm::dot(centre - pixel_[i + 1], joint_[i + 1]) < 0.0F;
-  if (behind_start || !before_end) return touch{0.0F, 0.0F, 0.0F};
+  if (behind_start || !before_end) {
+    const bool seen_end_on = joint_[i] == glm::vec2(0.0F) && joint_[i + 1] == glm::vec2(0.0F);
+    if (!seen_end_on) return touch{0.0F, 0.0F, 0.0F};
+  }
 
   const view_ray ray = view_.ray(centre);
   const closest_pair<float> pair = closest_points(ray.origin, ray.direction, position_[i], position_[i + 1]);

@@ -4,13 +4,16 @@
 
 #include <pelage/bsdf/kajiya_kay.hpp>
 #include <pelage/composite/radiance.hpp>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
 namespace pelage::frame {
 namespace {
 
-view_ray pixel_ray(const raster& from, float x, float y) { return from.from().ray({x, y}); }
+view_ray centre_ray(const view& eye, int x, int y) {
+  return eye.ray({static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
+}
 
 glm::vec3 toward_eye(const view& from, const view_ray& ray) {
   return -glm::normalize(from.direction_to_world(ray.direction));
@@ -58,8 +61,37 @@ camera_film::camera_film(const raster& from, const scene& world, components show
     : from_(from),
       world_(world),
       shown_(shown),
-      antialias_(antialias),
-      picture_(from.from().width, from.from().height) {}
+      side_(antialias ? 3 : 1),
+      picture_(from.from().width, from.from().height) {
+  const std::size_t samples = static_cast<std::size_t>(side_ * side_);
+  limit_.resize(picture_.pixels.size());
+  sample_depth_.resize(samples * limit_.size());
+  const view& eye = from_.from();
+  tbb::parallel_for(0, picture_.height, [&](int y) {
+    for (int x = 0; x < picture_.width; ++x) {
+      float* depth = sample_depth_.data() + samples * index(x, y);
+      for (int s = 0; s < side_ * side_; ++s) depth[s] = opaque_depth(eye, world_.opaque, sample_position(x, y, s));
+      limit_[index(x, y)] = *std::max_element(depth, depth + samples);
+    }
+  });
+}
+
+std::size_t camera_film::index(int x, int y) const {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width) + static_cast<std::size_t>(x);
+}
+
+glm::vec2 camera_film::sample_position(int x, int y, int sample) const {
+  const glm::vec2 corner(static_cast<float>(x), static_cast<float>(y));
+  const glm::vec2 inside(static_cast<float>(sample % side_) + 0.5F, static_cast<float>(sample / side_) + 0.5F);
+  return corner + inside / static_cast<float>(side_);
+}
+
+float camera_film::visible_coverage(int x, int y, const touch& where) const {
+  const int samples = side_ * side_;
+  const float* depth = sample_depth_.data() + static_cast<std::size_t>(samples) * index(x, y);
+  const auto in_front = std::count_if(depth, depth + samples, [&](float d) { return where.depth < d; });
+  return where.coverage * (static_cast<float>(in_front) / static_cast<float>(samples));
+}
 
 float camera_film::opacity(fragment f, const touch& where) const {
   return has_translucency(shown_) ? from_.mix(from_.fibres().opacity, f.id, where.along) : 1.0F;
@@ -70,36 +102,35 @@ glm::vec3 camera_film::radiance(fragment f, const touch& where, const view_ray& 
 }
 
 void camera_film::lose(int x, int y, fragment lost, const touch& where, tail& behind) {
-  const view_ray ray = pixel_ray(from_, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-  behind = add_fragment(behind, opacity(lost, where) * where.coverage, radiance(lost, where, ray));
+  const view_ray ray = centre_ray(from_.from(), x, y);
+  behind = add_fragment(behind, opacity(lost, where) * visible_coverage(x, y, where), radiance(lost, where, ray));
 }
 
 void camera_film::finish(int x, int y, std::span<const fragment> nearest, const tail& behind) {
-  const view_ray ray = pixel_ray(from_, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+  const view_ray ray = centre_ray(from_.from(), x, y);
   pixel_radiance<float> pixel = empty_pixel<float>();
   for (const fragment& f : nearest) {
     const touch where = from_.at(f.id, x, y);
-    pixel = add_fibre(pixel, radiance(f, where, ray), glm::vec3(1.0F - opacity(f, where)), where.coverage);
+    pixel = add_fibre(pixel, radiance(f, where, ray), glm::vec3(1.0F - opacity(f, where)),
+                      visible_coverage(x, y, where));
   }
   pixel = add_fibre(pixel, mean_colour(behind), glm::vec3(transmittance_of(behind)), 1.0F);
   picture_.at(x, y) = resolve(pixel, behind_fibres(x, y));
 }
 
 glm::vec3 camera_film::behind_fibres(int x, int y) const {
-  const int side = antialias_ ? 3 : 1;
+  const view& eye = from_.from();
   glm::vec3 sum(0.0F);
-  for (int sample = 0; sample < side * side; ++sample) {
-    const float dx = (static_cast<float>(sample % side) + 0.5F) / static_cast<float>(side);
-    const float dy = (static_cast<float>(sample / side) + 0.5F) / static_cast<float>(side);
-    const view& eye = from_.from();
-    const view_ray ray = pixel_ray(from_, static_cast<float>(x) + dx, static_cast<float>(y) + dy);
+  for (int sample = 0; sample < side_ * side_; ++sample) {
+    const glm::vec2 at = sample_position(x, y, sample);
+    const view_ray ray = eye.ray(at);
     const glm::vec3 origin = eye.eye + eye.direction_to_world(ray.origin);
     const glm::vec3 direction = eye.direction_to_world(ray.direction);
     const auto hit = world_.opaque.hit(origin, direction);
     const glm::vec3 far = world_.background(direction);
     sum += hit ? glm::mix(world_.solid_radiance(origin + hit->distance * direction, *hit), far, hit->haze) : far;
   }
-  return sum / static_cast<float>(side * side);
+  return sum / static_cast<float>(side_ * side_);
 }
 
 }  // namespace pelage::frame

@@ -32,7 +32,7 @@ struct lit {
   std::unique_ptr<shadow_map> shadow;
 };
 
-/// How a fibre's surface answers light: Kajiya-Kay, and a part that passes through to the other side.
+/// How a fibre answers light: Kajiya-Kay, and the sky's light from all sides.
 struct hair_look {
   float diffuse = 0.55F;        ///< weight of the diffuse lobe on the hair's colour, [0, 1]
   float specular = 0.22F;       ///< weight of the uncoloured highlight, [0, 1]
@@ -60,9 +60,15 @@ struct scene {
 };
 
 /// The camera's end of the path: gathers a pixel's fibres over the opaque objects and the background.
+///
+/// With anti-aliasing a pixel sees the opaque objects by 3 × 3 samples, and a fibre counts with the share of samples
+/// that it lies in front of: at an object's edge neither hair nor background shines through the object.
 class camera_film final : public pixel_visitor {
  public:
   camera_film(const raster& from, const scene& world, components shown, bool antialias);
+
+  /// View depth of the farthest opaque sample in each pixel, +inf where one sees none: what is behind is hidden.
+  [[nodiscard]] std::span<const float> limit() const { return limit_; }
 
   void expect(std::span<const std::uint32_t> fragments_per_pixel) override { (void)fragments_per_pixel; }
   void lose(int x, int y, fragment lost, const touch& where, tail& behind) override;
@@ -71,6 +77,9 @@ class camera_film final : public pixel_visitor {
   [[nodiscard]] const image& picture() const { return picture_; }
 
  private:
+  [[nodiscard]] std::size_t index(int x, int y) const;
+  [[nodiscard]] glm::vec2 sample_position(int x, int y, int sample) const;
+  [[nodiscard]] float visible_coverage(int x, int y, const touch& where) const;
   [[nodiscard]] float opacity(fragment f, const touch& where) const;
   [[nodiscard]] glm::vec3 radiance(fragment f, const touch& where, const view_ray& ray) const;
   [[nodiscard]] glm::vec3 behind_fibres(int x, int y) const;
@@ -78,7 +87,9 @@ class camera_film final : public pixel_visitor {
   const raster& from_;
   const scene& world_;
   components shown_;
-  bool antialias_;
+  int side_;                          ///< samples of opaque objects along a pixel's side
+  std::vector<float> sample_depth_;   ///< side² a pixel
+  std::vector<float> limit_;
   image picture_;
 };
 

@@ -11,23 +11,27 @@
 
 namespace pelage::frame {
 
+float opaque_depth(const view& from, const solids& opaque, const glm::vec2& pixel) {
+  const view_ray ray = from.ray(pixel);
+  const glm::vec3 origin = from.eye + from.direction_to_world(ray.origin);
+  const auto hit = opaque.hit(origin, from.direction_to_world(ray.direction));
+  return hit ? hit->distance : std::numeric_limits<float>::infinity();
+}
+
 std::vector<float> opaque_depths(const view& from, const solids& opaque) {
   const auto width = static_cast<std::size_t>(from.width);
-  std::vector<float> depth(width * static_cast<std::size_t>(from.height), std::numeric_limits<float>::infinity());
+  std::vector<float> depth(width * static_cast<std::size_t>(from.height));
   tbb::parallel_for(0, from.height, [&](int y) {
     for (int x = 0; x < from.width; ++x) {
-      const view_ray ray = from.ray({static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
-      const glm::vec3 origin = from.eye + from.direction_to_world(ray.origin);
-      if (const auto hit = opaque.hit(origin, from.direction_to_world(ray.direction))) {
-        depth[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] = hit->distance;
-      }
+      depth[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
+          opaque_depth(from, opaque, {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
     }
   });
   return depth;
 }
 
-shadow_map::shadow_map(const raster& from, const solids& opaque, std::uint32_t k)
-    : from_(from), limit_(opaque_depths(from.from(), opaque)) {
+shadow_map::shadow_map(const raster& from, const solids& opaque, std::uint32_t k, bool translucent)
+    : from_(from), translucent_(translucent), limit_(opaque_depths(from.from(), opaque)) {
   const std::vector<std::uint32_t> same(limit_.size(), k);
   expect(same);
   texel_.assign(limit_.size(), texel{0, 0, 0});
@@ -45,7 +49,8 @@ void shadow_map::expect(std::span<const std::uint32_t> fragments_per_pixel) {
 }
 
 float shadow_map::alpha(fragment f, const touch& where) const {
-  return from_.mix(from_.fibres().opacity, f.id, where.along) * where.coverage;
+  const float opacity = translucent_ ? from_.mix(from_.fibres().opacity, f.id, where.along) : 1.0F;
+  return opacity * where.coverage;
 }
 
 void shadow_map::lose(int x, int y, fragment lost, const touch& where, tail& behind) {

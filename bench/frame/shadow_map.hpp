@@ -17,8 +17,8 @@ namespace pelage::frame {
 /// texel knows of fragments that it did not keep. With all fragments kept there is no tail and the answer is exact.
 class shadow_map final : public pixel_visitor {
  public:
-  /// `k`: fragments kept a texel unless expect() announces all of them.
-  shadow_map(const raster& from, const solids& opaque, std::uint32_t k);
+  /// `k`: fragments kept a texel unless expect() announces all of them. `translucent` off: fibres are opaque.
+  shadow_map(const raster& from, const solids& opaque, std::uint32_t k, bool translucent = true);
 
   void expect(std::span<const std::uint32_t> fragments_per_pixel) override;
   void lose(int x, int y, fragment lost, const touch& where, tail& behind) override;
@@ -53,13 +53,17 @@ class shadow_map final : public pixel_visitor {
   [[nodiscard]] float alpha(fragment f, const touch& where) const;
 
   const raster& from_;
+  bool translucent_;
   std::vector<std::size_t> first_;  ///< where each texel's entries begin
   std::vector<texel> texel_;
   std::vector<entry> entry_;
   std::vector<float> limit_;
 };
 
-/// View depth along each pixel's ray of the nearest opaque object, +inf where there is none. Parallel.
+/// View depth of the nearest opaque object along the ray through pixel coordinates, +inf where there is none.
+[[nodiscard]] float opaque_depth(const view& from, const solids& opaque, const glm::vec2& pixel);
+
+/// The same for all pixels' centres. Parallel.
 [[nodiscard]] std::vector<float> opaque_depths(const view& from, const solids& opaque);
 
 }  // namespace pelage::frame

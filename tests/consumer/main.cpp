@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
+#include <pelage/composite/tail.hpp>
 #include <pelage/core/fragment.hpp>
 
 int main() {

@@ -84,7 +84,7 @@ TEST_CASE("a NaN depth lies beyond the infinity of its sign and is no fragment")
   holds("before all depths or behind them all", [] {
     const fragment bad{*any_nan(), *any_id()};
     const fragment f{*any_depth(), *any_id()};
-    RC_ASSERT(std::signbit(bad.depth) ? before(bad, f) : before(f, bad));
+    RC_ASSERT((std::signbit(bad.depth) ? before(bad, f) : before(f, bad)));
     RC_ASSERT(!is_fragment(bad));
   });
 }

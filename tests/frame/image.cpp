@@ -84,10 +84,10 @@ TEST_CASE("a picture that cannot be saved leaves no file, and an older file as i
   CHECK_THROWS_WITH_AS(save_png(path, bad), (path.string() + ": pixel 2, 1 is not finite").c_str(),
                        std::runtime_error);
   CHECK_THROWS_AS(save_png(path, image()), std::runtime_error);
-  CHECK_THROWS_AS(save_png(folder.path / "none" / "a.png", image(1, 1)), std::runtime_error);
   CHECK(folder.entries() == 0);
 
   save_png(path, image(2, 2, glm::vec3(1.0F)));
+  CHECK_THROWS_AS(save_png(path / "b.png", image(1, 1)), std::runtime_error);
   bad.at(2, 1).g = infinity;
   CHECK_THROWS_AS(save_png(path, bad), std::runtime_error);
   CHECK(load_png(path).pixels.front() == glm::vec3(1.0F));

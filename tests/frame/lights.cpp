@@ -12,11 +12,15 @@ namespace pelage::test {
 
 using namespace frame;
 
-glm::vec3 any_unit() {
-  const float height = any_float(-1.0F, 1.0F);
-  const float turn = any_float(0.0F, 6.2831853F);
+/// On the unit sphere, by height and turn.
+glm::vec3 unit_at(float height, float turn) {
   const float across = std::sqrt(1.0F - height * height);
   return {across * std::cos(turn), height, across * std::sin(turn)};
+}
+
+glm::vec3 any_unit() {
+  const float height = any_float(-1.0F, 1.0F);
+  return unit_at(height, any_float(0.0F, 6.2831853F));
 }
 
 /// Of any kind, outside the scene's sphere by at least the given factor.
@@ -76,7 +80,8 @@ TEST_CASE("a light's view holds the whole sphere of the fibres and little else")
     const view v = light_view(placed, round, 100);
     float widest = 0.0F;
     for (int i = 0; i < 200; ++i) {
-      const glm::vec3 p = v.to_view(round.centre + round.radius * any_unit());
+      const glm::vec3 on_unit = unit_at(static_cast<float>(i) / 100.0F - 0.995F, 2.4F * static_cast<float>(i));
+      const glm::vec3 p = v.to_view(round.centre + round.radius * on_unit);
       const glm::vec2 off = glm::abs(v.to_pixel(p) - 50.0F);
       RC_ASSERT(std::max(off.x, off.y) < 49.5F);  // where all four texels round it are in the map
       RC_ASSERT(-p.z > v.near_plane);

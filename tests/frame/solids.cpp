@@ -3,9 +3,11 @@
 #include "frame/solids.hpp"
 
 #include "frame/fibres.hpp"
+#include "frame/random.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace pelage::test {
@@ -92,18 +94,24 @@ hair_model hair_on(const std::vector<glm::vec3>& roots) {
   return model_of(lines, 0.01F, 1.0F);
 }
 
+glm::vec3 point_in_box(random_stream& random) {
+  const float x = random.between(-1.0F, 1.0F);
+  const float y = random.between(-1.0F, 1.0F);
+  return {x, y, random.between(-1.0F, 1.0F)};
+}
+
 TEST_CASE("a head is found under the roots that grow on it, and leaves them outside") {
   holds("centre and radius of a noisy scalp", [] {
     const float radius = std::pow(10.0F, any_float(-2.0F, 2.0F));
     const glm::vec3 centre = radius * any_vec3(-3.0F, 3.0F);
+    random_stream random(*rc::gen::arbitrary<std::uint64_t>(), 0);
     std::vector<glm::vec3> roots;
+    std::vector<std::vector<glm::vec3>> lines(1);  // a strand without points has no root
     while (roots.size() < 300) {
-      const glm::vec3 towards = glm::normalize(any_vec3(-1.0F, 1.0F) + glm::vec3(0.0F, 1e-3F, 0.0F));
-      if (towards.y > 0.0F) roots.push_back(centre + radius * any_float(0.98F, 1.02F) * towards);
+      const glm::vec3 towards = glm::normalize(point_in_box(random) + glm::vec3(0.0F, 1.0F, 0.0F));
+      roots.push_back(centre + radius * random.between(0.98F, 1.02F) * towards);
+      lines.push_back({roots.back(), roots.back() + 2.0F * random.unit() * radius * towards});
     }
-    std::vector<std::vector<glm::vec3>> lines;
-    for (const glm::vec3& root : roots) lines.push_back({root, root + any_float(0.0F, 2.0F) * (root - centre)});
-    lines.push_back({});  // a strand without points has no root
     const auto head = fit_head(model_of(lines, 0.01F, 1.0F));
     RC_ASSERT(head.has_value());
     RC_ASSERT(glm::length(head->centre - centre) < 0.05F * radius);
@@ -125,12 +133,13 @@ TEST_CASE("roots that lie on no head have none") {
     std::vector<glm::vec3> plane;
     std::vector<glm::vec3> line;
     std::vector<glm::vec3> box;
-    const glm::vec3 a = any_vec3(-1.0F, 1.0F) + glm::vec3(2.0F, 0.0F, 0.0F);
-    const glm::vec3 b = any_vec3(-1.0F, 1.0F) + glm::vec3(0.0F, 0.0F, 2.0F);
+    random_stream random(*rc::gen::arbitrary<std::uint64_t>(), 0);
+    const glm::vec3 a = point_in_box(random) + glm::vec3(2.0F, 0.0F, 0.0F);
+    const glm::vec3 b = point_in_box(random) + glm::vec3(0.0F, 0.0F, 2.0F);
     for (int i = 0; i < 200; ++i) {
-      line.push_back(a * any_float(-1.0F, 1.0F));
-      plane.push_back(line.back() + b * any_float(-1.0F, 1.0F));
-      box.push_back(any_vec3(-1.0F, 1.0F));
+      line.push_back(a * random.between(-1.0F, 1.0F));
+      plane.push_back(line.back() + b * random.between(-1.0F, 1.0F));
+      box.push_back(point_in_box(random));
     }
     RC_ASSERT(!fit_head(hair_on(line)).has_value());
     RC_ASSERT(!fit_head(hair_on(plane)).has_value());

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/bsdf/chiang.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+
+namespace pelage {
+
+/// The BSDF itself and its density, as a path tracer wants them.
+template <std::floating_point Real>
+struct chiang_bsdf {
+  glm::vec<3, Real> f;  ///< scattering per steradian, divided by |w_i.z|
+  Real density;         ///< of sample_chiang() drawing w_i, per steradian
+};
+
+/// A direction drawn for a light, with what evaluate_chiang() says of it.
+template <std::floating_point Real>
+struct chiang_sample {
+  glm::vec<3, Real> direction;  ///< unit length within 3e-7 in float
+  chiang_result<Real> result;   ///< value/density is the sample's weight; density 0 only where the fibre is black
+  std::uint32_t lobe;           ///< 0 R, 1 TT, 2 TRT, 3 residual
+};
+
+/// f and density for two unit vectors in the fibre's frame; one call for what a view and a light cost apart. Where
+/// w_i.z is 0 and f has no value, f |cos| is returned in its place.
+template <std::floating_point Real>
+[[nodiscard]] chiang_bsdf<Real> evaluate_chiang_bsdf(const chiang_fibre<Real>& fibre, Real h,
+                                                     const glm::vec<3, Real>& w_o,
+                                                     const glm::vec<3, Real>& w_i) noexcept;
+
+/// Draws a direction from four numbers in [0, 1): lobe by its weight, then M's two and N's one. The density is that of
+/// chiang_density(), all lobes together, so a weight stays below about 3 however rough the fibre is.
+/// [Chiang 2016; d'Eon 2013]
+template <std::floating_point Real>
+[[nodiscard]] chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
+                                                const std::array<Real, 4>& u) noexcept;
+
+/// The lobe that a number in [0, 1) picks by its weight. A residual lobe of weight 0 is not picked.
+template <std::floating_point Real>
+[[nodiscard]] inline std::uint32_t pick_chiang_lobe(const std::array<Real, 4>& weights, Real u) noexcept;
+
+/// Draws a direction from one lobe: its M round the eye's tilted inclination, its N round the middle, or for the
+/// `residual` lobe any azimuth. Takes the last three of the four numbers.
+template <std::floating_point Real>
+[[nodiscard]] inline glm::vec<3, Real> draw_chiang_direction(const longitudinal_lobe<Real>& along,
+                                                             const azimuthal_lobe<Real>& round,
+                                                             const rotation<Real>& tilted, const rotation<Real>& middle,
+                                                             bool residual, const std::array<Real, 4>& u) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <std::floating_point Real>
+chiang_bsdf<Real> evaluate_chiang_bsdf(const chiang_fibre<Real>& fibre, Real h, const glm::vec<3, Real>& w_o,
+                                       const glm::vec<3, Real>& w_i) noexcept {
+  const chiang_view<Real> view = view_chiang(fibre, h, direction_by_fibre(w_o));
+  const chiang_result<Real> result = evaluate_chiang(fibre, view, direction_by_fibre(w_i));
+  const Real cosine = absolute(w_i.z);
+  const Real divisor = cosine > Real(0) ? cosine : Real(1);
+  const glm::vec<3, Real> value = glm::vec<3, Real>(result.value[0], result.value[1], result.value[2]);
+  return chiang_bsdf<Real>{value / divisor, result.density};
+}
+
+template <std::floating_point Real>
+chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
+                                  const std::array<Real, 4>& u) noexcept {
+  chiang_sample<Real> drawn;
+  drawn.lobe = pick_chiang_lobe(view.weights, u[0]);
+  longitudinal_lobe<Real> along = fibre.longitudinal[3];
+  rotation<Real> tilted = rotation<Real>{view.eye.cosine, view.eye.sine};
+  rotation<Real> middle = rotation<Real>{view.eye.y, view.eye.z};
+  for (std::uint32_t p = 0u; p < 3u; ++p) {
+    if (p == drawn.lobe) {
+      along = fibre.longitudinal[p];
+      tilted = view.tilted[p];
+      middle = view.towards[p];
+    }
+  }
+  drawn.direction = draw_chiang_direction(along, fibre.azimuthal, tilted, middle, drawn.lobe == 3u, u);
+  drawn.result = evaluate_chiang(fibre, view, direction_by_fibre(drawn.direction));
+  return drawn;
+}
+
+template <std::floating_point Real>
+std::uint32_t pick_chiang_lobe(const std::array<Real, 4>& weights, Real u) noexcept {
+  const Real first = weights[0];
+  const Real second = first + weights[1];
+  const Real third = second + weights[2];
+  const bool residual = u >= third && weights[3] > Real(0);
+  return residual ? 3u : (u < first ? 0u : (u < second ? 1u : 2u));
+}
+
+template <std::floating_point Real>
+glm::vec<3, Real> draw_chiang_direction(const longitudinal_lobe<Real>& along, const azimuthal_lobe<Real>& round,
+                                        const rotation<Real>& tilted, const rotation<Real>& middle, bool residual,
+                                        const std::array<Real, 4>& u) noexcept {
+  const Real distance = residual ? Real(6.283185307179586477) * u[3] : sample_azimuthal(round, u[3]);
+  const rotation<Real> inclination = sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
+  const rotation<Real> azimuth = turned_by(middle, rotation_by(distance));
+  const Real across = inclination.cosine / square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
+  return glm::vec<3, Real>(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
+}
+
+}  // namespace pelage

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/core/elementary.hpp>
+
+#include <array>
+#include <concepts>
+
+namespace pelage {
+
+/// Pigment in a fibre, as concentrations that multiply the absorption of human hair per radius; both [0, inf).
+/// Eumelanin browns (0.3 blond, 1.3 brown, 8 black), pheomelanin reddens.
+template <real_number Real>
+struct melanin {
+  Real eumelanin;
+  Real pheomelanin;
+};
+
+/// Hair colours to start from.
+enum class hair_colour { blond, red, brown, black };
+
+/// The pigment of a colour.
+template <std::floating_point Real>
+[[nodiscard]] melanin<Real> melanin_of(hair_colour colour) noexcept;
+
+/// σ_a for red, green, blue per fibre radius, linear in both concentrations. [d'Eon 2011 §6.1; constants of Chiang
+/// 2016]
+template <real_number Real>
+[[nodiscard]] std::array<Real, 3> absorption_of(melanin<Real> pigment) noexcept;
+
+/// The pigment from an artist's controls. `amount` in [0, 1] is how much light it takes, evenly to the eye: 0 clear,
+/// 0.8 dark brown, 1 the black of concentration 40 (the concentration is -ln(max(1 - amount, e⁻⁴⁰))). `redness`
+/// in [0, 1] is the share of pheomelanin.
+template <std::floating_point Real>
+[[nodiscard]] melanin<Real> melanin_from_controls(Real amount, Real redness) noexcept;
+
+/// σ_a of the fibre whose *mass* of hair has the albedo `colour`, [1e-4, 1], held there, by the fit to multiple
+/// scattering in a head of hair of azimuthal roughness β_n in [0, 1]. One fibre alone is brighter. [Chiang 2016 §4.2]
+template <std::floating_point Real>
+[[nodiscard]] Real absorption_from_albedo(Real colour, Real beta_n) noexcept;
+
+/// The albedo of a mass of such fibres: the inverse of absorption_from_albedo.
+template <std::floating_point Real>
+[[nodiscard]] Real albedo_from_absorption(Real sigma_a, Real beta_n) noexcept;
+
+/// The variance of M for a longitudinal roughness β_m that looks even to the eye, [0, 1]: [Chiang 2016 §4.1]
+/// (0.726 β + 0.812 β² + 3.7 β²⁰)². The R lobe's; TT has a quarter of it, TRT and the residual four times.
+/// The constants are the float nearest to the printed ones in every type, so that float and double mean one fibre.
+template <real_number Real>
+[[nodiscard]] Real longitudinal_variance(Real beta_m) noexcept;
+
+/// The scale of N in radians for an azimuthal roughness β_n that looks even to the eye, [0, 1]: [Chiang 2016 §4.1]
+/// √(π/8) (0.265 β + 1.194 β² + 5.372 β²²), constants as above.
+template <real_number Real>
+[[nodiscard]] Real azimuthal_scale(Real beta_n) noexcept;
+
+/// The roughness β_m whose lobe has the standard deviation `width` in radians, (0, 0.9]: the inverse of
+/// longitudinal_variance, for widths measured as in Marschner's model. Outside the range: the nearer end's roughness.
+template <std::floating_point Real>
+[[nodiscard]] Real roughness_of_width(Real width) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <std::floating_point Real>
+melanin<Real> melanin_of(hair_colour colour) noexcept {
+  if (colour == hair_colour::blond) {
+    return melanin<Real>{Real(0.3), Real(0.05)};
+  }
+  if (colour == hair_colour::red) {
+    return melanin<Real>{Real(0.35), Real(1.6)};
+  }
+  if (colour == hair_colour::brown) {
+    return melanin<Real>{Real(1.3), Real(0.1)};
+  }
+  return melanin<Real>{Real(8), Real(0)};
+}
+
+template <real_number Real>
+std::array<Real, 3> absorption_of(melanin<Real> pigment) noexcept {
+  return std::array<Real, 3>{Real(0.419) * pigment.eumelanin + Real(0.187) * pigment.pheomelanin,
+                             Real(0.697) * pigment.eumelanin + Real(0.4) * pigment.pheomelanin,
+                             Real(1.37) * pigment.eumelanin + Real(1.05) * pigment.pheomelanin};
+}
+
+template <std::floating_point Real>
+melanin<Real> melanin_from_controls(Real amount, Real redness) noexcept {
+  const Real left = greatest(Real(1) - saturate(amount), Real(4.248354255e-18));
+  const Real concentration = Real(0) - natural_logarithm(left);
+  return melanin<Real>{concentration * (Real(1) - saturate(redness)), concentration * saturate(redness)};
+}
+
+/// The fit's exponent: √σ_a = -ln(colour) / fit.
+template <std::floating_point Real>
+[[nodiscard]] Real albedo_fit(Real beta_n) noexcept {
+  const Real b = saturate(beta_n);
+  return ((((Real(0.245) * b + Real(5.574)) * b - Real(10.73)) * b + Real(2.532)) * b - Real(0.215)) * b + Real(5.969);
+}
+
+template <std::floating_point Real>
+Real absorption_from_albedo(Real colour, Real beta_n) noexcept {
+  const Real held = least(greatest(colour, Real(1e-4)), Real(1));
+  return sqr(natural_logarithm(held) / albedo_fit(beta_n));
+}
+
+template <std::floating_point Real>
+Real albedo_from_absorption(Real sigma_a, Real beta_n) noexcept {
+  return exponential(Real(0) - safe_sqrt(sigma_a) * albedo_fit(beta_n));
+}
+
+template <real_number Real>
+Real longitudinal_variance(Real beta_m) noexcept {
+  const Real b2 = beta_m * beta_m;
+  const Real b4 = b2 * b2;
+  const Real b8 = b4 * b4;
+  const Real width = Real(0.726f) * beta_m + Real(0.812f) * b2 + Real(3.7f) * (b8 * b8 * b4);
+  return width * width;
+}
+
+template <real_number Real>
+Real azimuthal_scale(Real beta_n) noexcept {
+  const Real b2 = beta_n * beta_n;
+  const Real b4 = b2 * b2;
+  const Real b8 = b4 * b4;
+  const Real fit = Real(0.265f) * beta_n + Real(1.194f) * b2 + Real(5.372f) * (b8 * b8 * b4 * b2);
+  return Real(0.626657069f) * fit;
+}
+
+template <std::floating_point Real>
+Real roughness_of_width(Real width) noexcept {
+  Real low = Real(0);
+  Real high = Real(1);
+  for (int step = 0; step < 40; ++step) {
+    const Real middle = Real(0.5) * (low + high);
+    const bool narrow = longitudinal_variance(middle) < width * width;
+    low = narrow ? middle : low;
+    high = narrow ? high : middle;
+  }
+  return Real(0.5) * (low + high);
+}
+
+}  // namespace pelage

@@ -1,0 +1,55 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/bsdf/chiang_far_field.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+
+namespace pelage {
+
+/// What a fibre lets through to what lies behind it, per channel: the attenuation along shadow and view paths.
+///
+/// It is the TT lobe's A_1 = (1 - F)² T of the BSDF itself, so that a path that takes a fibre for a filter and one that
+/// scatters in it agree: averaged over the width it is the integral of the TT lobe over all directions. Light that R,
+/// TRT and the residual lobe take out of the path is what those lobes scatter. The lobe's spread is the one thing that
+/// the straight path leaves out. Along the axis with σ_a = 0 it is fibre_attenuation().
+
+/// A_1 for a ray through the fibre's axis (h = 0). `sin_theta`: of the ray's inclination, [-1, 1]; 0 at the ends.
+template <std::floating_point Real>
+[[nodiscard]] std::array<Real, 3> axial_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept;
+
+/// A_1 averaged over the width, ½ ∫ A_1(h) dh, by the rule of evaluate_chiang_far(); 2 panels are within 4e-3,
+/// 4 within 1e-3.
+template <int Panels, std::floating_point Real>
+[[nodiscard]] std::array<Real, 3> mean_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <std::floating_point Real>
+std::array<Real, 3> axial_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept {
+  const Real cosine = square_root(greatest((Real(1) - sin_theta) * (Real(1) + sin_theta), Real(0)));
+  const chiang_section<Real> section = cross_chiang_section(eta, Real(0), sin_theta, cosine);
+  std::array<Real, 3> passage;
+  for (std::uint32_t c = 0u; c < 3u; ++c) {
+    passage[c] = chiang_attenuation(section, sigma_a[c])[1];
+  }
+  return passage;
+}
+
+template <int Panels, std::floating_point Real>
+std::array<Real, 3> mean_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept {
+  const Real cosine = square_root(greatest((Real(1) - sin_theta) * (Real(1) + sin_theta), Real(0)));
+  std::array<Real, 3> passage = {Real(0), Real(0), Real(0)};
+  for (int node = 0; node < 3 * Panels; ++node) {
+    const width_node<Real> place = fibre_width_node<Panels, Real>(node);
+    const chiang_section<Real> section = cross_chiang_section(eta, place.h, sin_theta, cosine);
+    for (std::uint32_t c = 0u; c < 3u; ++c) {
+      passage[c] = passage[c] + place.weight * chiang_attenuation(section, sigma_a[c])[1];
+    }
+  }
+  return passage;
+}
+
+}  // namespace pelage

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/composite/weighted_sum.hpp>
+#include <pelage/core/math.hpp>
+
+namespace pelage {
+
+/// Blending by an estimated order, without sorting: a fragment weighs (1 - α)ᵒ α, with o the number of fragments that
+/// an occupancy_map or opacity_map estimates before it. [Sintorn & Assarsson 2009, §3.4] Add with add_weighted(),
+/// resolve() scales the sum by Λ = 1 - Π(1 - α), which for equal alphas is the paper's 1 - (1 - α)ⁿ. Exact (but for
+/// rounding) where all alphas are equal and all orders right.
+
+/// The weight of a fragment behind `order` others of its own alpha, [0, 1]. `order`: [0, inf). `alpha`: held to
+/// [0, 1]; where it is 1 only order 0 weighs anything. NaN gives 0 or NaN.
+[[nodiscard]] constexpr float order_weight(float alpha, float order) noexcept;
+
+/// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum optical_depth(alpha), and so
+/// know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
+[[nodiscard]] constexpr float optical_weight(float alpha, float optical) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+constexpr float order_weight(float alpha, float order) noexcept {
+  const float held = saturate(alpha);
+  if (held >= 1.0f) {
+    return order > 0.0f ? 0.0f : 1.0f;
+  }
+  return held * fast_exp2(order * fast_log2(1.0f - held));
+}
+
+constexpr float optical_weight(float alpha, float optical) noexcept {
+  return saturate(alpha) * fast_exp2(-optical * (1.0f / 1048576.0f));
+}
+
+}  // namespace pelage

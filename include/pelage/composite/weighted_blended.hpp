@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/composite/weighted_sum.hpp>
+#include <pelage/core/math.hpp>
+
+namespace pelage {
+
+/// Weighted, blended order-independent transparency [McGuire & Bavoil 2013]: a fragment weighs by its depth alone, by
+/// no estimate of what lies before it. Add with add_weighted(), resolve() as there.
+
+/// The weight of a fragment, [3.3e-6, 1] times alpha: α max(10⁻², 3·10³ (1 - z)³) [McGuire & Bavoil 2013, Eq. 10]
+/// over 3·10³, so that fixed-point sums hold it; the mean does not see the scale. `relative` z: the depth in
+/// [0, 1], 0 nearest, best depth_range::relative of the pixel, whose nearest fragment then weighs α; over a range of
+/// the whole scene, far pixels lose precision, 2⁻²¹ a fragment. NaN counts as 0.
+[[nodiscard]] constexpr float depth_weight(float alpha, float relative) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+constexpr float depth_weight(float alpha, float relative) noexcept {
+  const float left = 1.0f - saturate(relative);
+  const float weight = left * left * left;
+  const float least = 3.33333333e-6f;
+  return saturate(alpha) * (weight > least ? weight : least);
+}
+
+}  // namespace pelage

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/bsdf/azimuthal.hpp>
+#include <pelage/bsdf/hair_parameters.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+using namespace pelage;
+
+TEST_CASE("N integrates to 1 on the circle over the whole range of roughness") {
+  for (const double beta : {0.01, 0.05, 0.3, 0.7, 1.0}) {
+    const auto lobe = make_azimuthal_lobe(azimuthal_scale(static_cast<float>(beta)));
+    const int count = 40000;
+    double sum = 0.0;
+    for (int k = 0; k < count; ++k) {
+      sum += static_cast<double>(evaluate_azimuthal(lobe, static_cast<float>(std::numbers::pi * (k + 0.5) / count)));
+    }
+    CAPTURE(beta);
+    CHECK(2.0 * sum * std::numbers::pi / count == doctest::Approx(1.0).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a wide lobe is nearly uniform and a narrow one a logistic") {
+  const auto wide = make_azimuthal_lobe(100.0);
+  CHECK(evaluate_azimuthal(wide, 3.0) == doctest::Approx(0.5 / std::numbers::pi).epsilon(1e-4));
+  const auto narrow = make_azimuthal_lobe(0.1);
+  CHECK(evaluate_azimuthal(narrow, 0.0) == doctest::Approx(2.5).epsilon(1e-12));
+  CHECK(evaluate_azimuthal(narrow, 0.2) == doctest::Approx(10.0 / std::pow(2.0 * std::cosh(1.0), 2)).epsilon(1e-12));
+}
+
+TEST_CASE("the share of draws below a distance is N's integral to there") {
+  for (const double scale : {0.02, 0.3, 4.0}) {
+    const auto lobe = make_azimuthal_lobe(scale);
+    // The trimmed logistic's own distribution function.
+    const auto below = [&](double x) { return 1.0 / (1.0 + std::exp(-x / scale)); };
+    const double pi = std::numbers::pi;
+    for (int k = 0; k < 100; ++k) {
+      const double u = (k + 0.5) / 100.0;
+      const double x = sample_azimuthal(lobe, u);
+      CHECK((below(x) - below(-pi)) / (below(pi) - below(-pi)) == doctest::Approx(u).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("draws stay on the circle at both ends and at roughness 0") {
+  for (const float scale : {0.0f, 1e-4f, 0.05f, 4.0f, std::numeric_limits<float>::quiet_NaN()}) {
+    const auto lobe = make_azimuthal_lobe(scale);
+    for (const float u : {0.0f, 1e-7f, 0.5f, 0.99999994f}) {
+      const float x = sample_azimuthal(lobe, u);
+      CHECK(x >= -3.1415928f);
+      CHECK(x <= 3.1415928f);
+    }
+    CHECK(std::isfinite(evaluate_azimuthal(lobe, 0.0f)));
+    CHECK(std::isfinite(evaluate_azimuthal(lobe, 3.14159265f)));
+  }
+}

@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/bsdf/chiang_quad.hpp>
+#include <pelage/bsdf/chiang_sampling.hpp>
+#include <pelage/bsdf/fresnel.hpp>
+#include <bsdf/sphere.hpp>
+
+#include <property.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+using namespace pelage;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+chiang_fibre<float> clear_fibre(double beta_m, double beta_n, double tilt) {
+  return make_chiang_fibre<float>(
+      {1.55f, {0.0f, 0.0f, 0.0f}, static_cast<float>(beta_m), static_cast<float>(beta_n), static_cast<float>(tilt)});
+}
+
+/// The light that leaves in all directions and the integral of the density, by way of the form in four lanes, which
+/// has the kernel's bits.
+std::array<double, 2> furnace(const chiang_fibre<float>& fibre, double h, double theta_o) {
+  const chiang_quad_fibre quad = make_chiang_quad_fibre(fibre);
+  const auto view =
+      view_chiang(quad, static_cast<float>(h), direction_by_fibre(test::unit_vector<float>(theta_o, 0.4)));
+  const int thetas = test::theta_panels_for(fibre);
+  const int phis = test::phi_count_for(fibre);
+  return {test::integrate_sphere<float>(
+              thetas, phis,
+              [&](const glm::vec3& light) { return evaluate_chiang(quad, view, direction_by_fibre(light)).value[1]; }),
+          test::integrate_sphere<float>(thetas, phis, [&](const glm::vec3& light) {
+            return chiang_density(quad, view, direction_by_fibre(light));
+          })};
+}
+
+}  // namespace
+
+TEST_CASE("white furnace: a clear fibre sends out all light, within 2e-4 in float") {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> draw(0.0, 1.0);
+  double least = 2.0;
+  double greatest = 0.0;
+  double least_density = 2.0;
+  double greatest_density = 0.0;
+  const auto check = [&](double beta_m, double beta_n, double tilt, double theta, double h) {
+    const std::array<double, 2> sums = furnace(clear_fibre(beta_m, beta_n, tilt * degree), h, theta * degree);
+    least = std::min(least, sums[0]);
+    greatest = std::max(greatest, sums[0]);
+    least_density = std::min(least_density, sums[1]);
+    greatest_density = std::max(greatest_density, sums[1]);
+    CAPTURE(beta_m);
+    CAPTURE(beta_n);
+    CAPTURE(tilt);
+    CAPTURE(theta);
+    CAPTURE(h);
+    CHECK(std::abs(sums[0] - 1.0) < 2e-4);
+    CHECK(std::abs(sums[1] - 1.0) < 1e-3);
+  };
+  check(0.05, 0.05, 10.0, 85.0, 0.5);
+  check(0.05, 1.0, -10.0, -85.0, 1.0);
+  check(1.0, 0.05, 10.0, -85.0, -1.0);
+  check(1.0, 1.0, -10.0, 85.0, 0.999);
+  check(0.3, 0.3, 0.0, 0.0, 0.0);
+  for (int k = 0; k < 25; ++k) {
+    const double beta_m = 0.05 + 0.95 * draw(generator);
+    const double beta_n = 0.05 + 0.95 * draw(generator);
+    check(beta_m, beta_n, 20.0 * draw(generator) - 10.0, 170.0 * draw(generator) - 85.0, 2.0 * draw(generator) - 1.0);
+  }
+  MESSAGE("furnace in [", least, ", ", greatest, "], density in [", least_density, ", ", greatest_density, "]");
+}
+
+TEST_CASE("with absorption less light leaves, in each channel as if it were alone") {
+  const auto fibre = make_chiang_fibre<float>({1.55f, {0.1f, 0.5f, 2.0f}, 0.3f, 0.3f, 0.03f});
+  const auto view = view_chiang(fibre, 0.3f, direction_by_fibre(test::unit_vector<float>(0.4, 0.0)));
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    double expected = 0.0;
+    for (std::uint32_t p = 0; p < 4; ++p) {
+      expected += static_cast<double>(view.attenuation[p][c]);
+    }
+    const double sum = test::integrate_sphere<float>(60, 150, [&](const glm::vec3& light) {
+      return evaluate_chiang(fibre, view, direction_by_fibre(light)).value[c];
+    });
+    CHECK(sum == doctest::Approx(expected).epsilon(1e-4));
+    CHECK(sum < 1.0002);
+  }
+}
+
+TEST_CASE("energy never exceeds 1, whatever the fibre") {
+  test::holds("Σ A_p ≤ 1 for any index, absorption, offset and inclination", [](std::uint16_t eta, std::uint16_t sigma,
+                                                                                std::int16_t h, std::int16_t theta) {
+    const auto fibre =
+        make_chiang_fibre<float>({1.0f + eta / 40000.0f, {sigma / 10000.0f, 0.0f, 100.0f}, 0.3f, 0.3f, 0.0f});
+    const auto view =
+        view_chiang(fibre, h / 32767.0f, direction_by_fibre(test::unit_vector<float>(theta / 32768.0 * 1.5707, 0)));
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      float sum = 0.0f;
+      for (std::uint32_t p = 0; p < 4; ++p) {
+        RC_ASSERT(view.attenuation[p][c] >= 0.0f);
+        sum += view.attenuation[p][c];
+      }
+      RC_ASSERT(sum < 1.000002f);
+      RC_ASSERT(c != 1 || sum > 0.999998f);  // σ_a = 0
+    }
+  });
+}
+
+TEST_CASE("R is reciprocal without tilt: both directions at one inclination or swapped see one reflectance") {
+  // R's F depends on cos θ_o √(1 - h²), so swapping needs |θ| equal; M R is symmetric for any pair.
+  const auto fibre = make_chiang_fibre<double>({1.55, {1e30, 1e30, 1e30}, 0.25, 0.3, 0.0});
+  for (const double theta : {0.1, 0.5, 1.1}) {
+    for (const double phi : {0.3, 1.0, 2.5}) {
+      const double h = 0.35;
+      const glm::dvec3 one = test::unit_vector<double>(theta, 0.7);
+      const glm::dvec3 other = test::unit_vector<double>(-theta, 0.7 + phi);
+      const auto forth =
+          evaluate_chiang(fibre, view_chiang(fibre, h, direction_by_fibre(one)), direction_by_fibre(other));
+      // Seen from the other side the mirror's normal is at the same place, on the other half of the width.
+      const auto back =
+          evaluate_chiang(fibre, view_chiang(fibre, -h, direction_by_fibre(other)), direction_by_fibre(one));
+      CHECK(forth.value[0] > 0.0);
+      CHECK(back.value[0] == doctest::Approx(forth.value[0]).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("mirrored fibres scatter alike") {
+  test::holds("h and both azimuths negated change nothing", [](std::int8_t h, std::int8_t a, std::int8_t b) {
+    const auto fibre = make_chiang_fibre<double>({1.5, {0.1, 0.2, 0.3}, 0.3, 0.2, 0.05});
+    const auto value = [&](double sign) {
+      return evaluate_chiang_bsdf(fibre, sign * h / 128.0, test::unit_vector<double>(a / 100.0, sign * 0.3),
+                                  test::unit_vector<double>(b / 100.0, sign * 1.2));
+    };
+    RC_ASSERT(std::abs(value(1.0).density - value(-1.0).density) <= 1e-12 * value(1.0).density);
+  });
+}
+
+TEST_CASE("fibres turned end for end scatter alike with the tilt negated") {
+  const auto with = make_chiang_fibre<double>({1.5, {0.1, 0.2, 0.3}, 0.3, 0.2, 0.05});
+  const auto against = make_chiang_fibre<double>({1.5, {0.1, 0.2, 0.3}, 0.3, 0.2, -0.05});
+  for (const double theta : {-1.2, -0.3, 0.0, 0.6, 1.5}) {
+    const auto one =
+        evaluate_chiang_bsdf(with, 0.4, test::unit_vector<double>(theta, 0.3), test::unit_vector<double>(0.2, 1.5));
+    const auto other = evaluate_chiang_bsdf(against, 0.4, test::unit_vector<double>(-theta, 0.3),
+                                            test::unit_vector<double>(-0.2, 1.5));
+    CHECK(one.f.x == doctest::Approx(other.f.x).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("every unit vector, roughness and offset gives a finite result") {
+  const std::array<float, 7> offsets = {-1.0f, -0.9999999f, 0.0f, 0.5f, 1.0f, 3.0f, -7.0f};
+  const std::array<float, 5> roughnesses = {0.0f, 1e-6f, 0.03f, 0.5f, 1.0f};
+  const std::array<float, 4> sigmas = {0.0f, 0.7f, 1e20f, std::numeric_limits<float>::infinity()};
+  const std::array<glm::vec3, 7> directions = {glm::vec3(1, 0, 0),          glm::vec3(-1, 0, 0),
+                                               glm::vec3(0, 1, 0),          glm::vec3(0, 0, -1),
+                                               glm::vec3(0.6f, 0.8f, 0.0f), glm::vec3(0.99999994f, 0.0f, 3.4e-4f),
+                                               glm::vec3(-0.6f, 0.0f, 0.8f)};
+  int finite = 0;
+  int count = 0;
+  for (const float h : offsets) {
+    for (const float rough : roughnesses) {
+      for (const float sigma : sigmas) {
+        for (const float eta : {1.0f, 1.55f}) {
+          const auto fibre = make_chiang_fibre<float>({eta, {sigma, 0.0f, 1.0f}, rough, rough, 0.1f});
+          for (const glm::vec3& eye : directions) {
+            for (const glm::vec3& light : directions) {
+              const auto result = evaluate_chiang_bsdf(fibre, h, eye, light);
+              const float sum = result.f.x + result.f.y + result.f.z + result.density;
+              ++count;
+              finite += std::isfinite(sum) && sum >= 0.0f ? 1 : 0;
+            }
+          }
+        }
+      }
+    }
+  }
+  CHECK(finite == count);
+}
+
+TEST_CASE("the BSDF times the cosine that it was divided by is the kernel's value") {
+  const auto fibre = make_chiang_fibre<double>({1.55, {0.2, 0.4, 0.9}, 0.3, 0.3, 0.03});
+  const glm::dvec3 eye = test::unit_vector<double>(0.3, 0.2);
+  const glm::dvec3 light = test::unit_vector<double>(-0.2, 1.0);
+  const auto view = view_chiang(fibre, 0.2, direction_by_fibre(eye));
+  const auto value = evaluate_chiang(fibre, view, direction_by_fibre(light));
+  const auto bsdf = evaluate_chiang_bsdf(fibre, 0.2, eye, light);
+  CHECK(bsdf.f.y * std::abs(light.z) == doctest::Approx(value.value[1]).epsilon(1e-14));
+  CHECK(bsdf.density == value.density);
+  CHECK(chiang_density(fibre, view, direction_by_fibre(light)) == doctest::Approx(value.density).epsilon(1e-15));
+  const auto level = evaluate_chiang_bsdf(fibre, 0.2, eye, glm::dvec3(0.0, 1.0, 0.0));
+  CHECK(level.f.x == evaluate_chiang(fibre, view, direction_by_fibre(glm::dvec3(0.0, 1.0, 0.0))).value[0]);
+}
+
+TEST_CASE("tints scale their lobe alone") {
+  auto fibre = make_chiang_fibre<double>({1.55, {0.2, 0.4, 0.9}, 0.3, 0.3, 0.03});
+  fibre.tints = {0.0, 1.0, 0.0, 0.0};
+  const auto eye = direction_by_fibre(test::unit_vector<double>(0.3, 0.2));
+  const auto view = view_chiang(fibre, 0.2, eye);
+  CHECK(view.weights[1] == doctest::Approx(1.0).epsilon(1e-15));
+  const auto light = direction_by_fibre(test::unit_vector<double>(-0.3, 3.1));
+  CHECK(evaluate_chiang(fibre, view, light).value[0] ==
+        doctest::Approx(chiang_lobes(fibre, view, light)[1] * view.attenuation[1][0]).epsilon(1e-15));
+}
+
+TEST_CASE("float is within 2e-5 of double wherever f or the density exceeds 1e-6") {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<float> draw(0.0f, 1.0f);
+  double worst = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    chiang_parameters<float> narrow = {1.3f + 0.5f * draw(generator),
+                                       {3.0f * draw(generator), 0.0f, 0.1f * draw(generator)},
+                                       0.08f + 0.92f * draw(generator),
+                                       0.08f + 0.92f * draw(generator),
+                                       0.34f * draw(generator) - 0.17f};
+    const chiang_parameters<double> wide = {narrow.eta,
+                                            {narrow.sigma_a[0], narrow.sigma_a[1], narrow.sigma_a[2]},
+                                            narrow.beta_m,
+                                            narrow.beta_n,
+                                            narrow.tilt};
+    const float h = 2.0f * draw(generator) - 1.0f;
+    const double theta = std::asin(2.0 * static_cast<double>(draw(generator)) - 1.0);
+    const glm::vec3 eye = test::unit_vector<float>(theta, 6.28 * static_cast<double>(draw(generator)));
+    // Half of the lights by the mirror cone, where most of the light is.
+    const double other = k % 2 == 0
+                             ? std::asin(2.0 * static_cast<double>(draw(generator)) - 1.0)
+                             : std::clamp(-theta + 0.2 * (static_cast<double>(draw(generator)) - 0.5), -1.57, 1.57);
+    const glm::vec3 light = test::unit_vector<float>(other, 6.28 * static_cast<double>(draw(generator)));
+    const auto found = evaluate_chiang_bsdf(make_chiang_fibre(narrow), h, eye, light);
+    const auto expected =
+        evaluate_chiang_bsdf(make_chiang_fibre(wide), static_cast<double>(h), glm::dvec3(eye), glm::dvec3(light));
+    for (int c = 0; c < 3; ++c) {
+      if (expected.f[c] > 1e-6) {
+        worst = std::max(worst, std::abs(static_cast<double>(found.f[c]) / expected.f[c] - 1.0));
+      }
+    }
+    if (expected.density > 1e-6) {
+      worst = std::max(worst, std::abs(static_cast<double>(found.density) / expected.density - 1.0));
+    }
+  }
+  MESSAGE("largest relative difference ", worst);
+  CHECK(worst < 2e-5);
+}

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/bsdf/marschner_table.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+using namespace pelage;
+
+namespace {
+
+/// A table with its storage.
+struct stored_table {
+  stored_table(const marschner_parameters<float>& parameters, std::uint32_t thetas, std::uint32_t phis)
+      : r(thetas * phis), tt(thetas * phis), trt(thetas * phis), table{thetas, phis, r, tt, trt} {
+    fill_marschner_table(parameters, table);
+  }
+  std::vector<glm::vec3> r, tt, trt;
+  marschner_table<float> table;
+};
+
+marschner_parameters<float> hair() {
+  return common_marschner_parameters<float>({0.1f, 0.4f, 1.0f});
+}
+
+/// The largest difference of each lobe, in parts of its greatest value, for θ_d up to 1.2.
+std::array<float, 3> worst_errors(std::uint32_t thetas, std::uint32_t phis) {
+  const auto parameters = hair();
+  const stored_table stored(parameters, thetas, phis);
+  std::array<float, 3> worst = {0.0f, 0.0f, 0.0f};
+  std::array<float, 3> greatest = {0.0f, 0.0f, 0.0f};
+  for (int i = 0; i < 61; ++i) {
+    const float theta = 0.02f * static_cast<float>(i);
+    const auto section = make_fibre_section(parameters.eta, theta);
+    for (int k = 0; k < 700; ++k) {
+      const float phi = 0.0044f * static_cast<float>(k);
+      const auto found = look_up_marschner(stored.table, std::sin(theta), phi);
+      const std::array<float, 3> exact = {bare_azimuthal(section, 0, phi, parameters.sigma_a)[0],
+                                          bare_azimuthal(section, 1, phi, parameters.sigma_a)[0],
+                                          smooth_trt(section, phi, parameters.sigma_a, parameters.caustic)[0]};
+      const std::array<float, 3> looked_up = {found.reflected.x, found.transmitted.x, found.returned.x};
+      for (std::size_t p = 0; p < 3; ++p) {
+        worst[p] = std::max(worst[p], std::abs(exact[p] - looked_up[p]));
+        greatest[p] = std::max(greatest[p], exact[p]);
+      }
+    }
+  }
+  return {worst[0] / greatest[0], worst[1] / greatest[1], worst[2] / greatest[2]};
+}
+
+}  // namespace
+
+TEST_CASE("a table of 64 × 256 is within the stated error, and a finer one is better") {
+  const std::array<float, 3> coarse = worst_errors(64, 256);
+  MESSAGE("largest errors by the lobe's peak: R ", coarse[0], ", TT ", coarse[1], ", TRT ", coarse[2]);
+  CHECK(coarse[0] < 0.006f);
+  CHECK(coarse[1] < 0.002f);
+  CHECK(coarse[2] < 0.04f);
+  const std::array<float, 3> coarser = worst_errors(16, 64);
+  for (std::size_t p = 0; p < 3; ++p) {
+    CHECK(coarser[p] > 1.5f * coarse[p]);
+  }
+}
+
+TEST_CASE("at the table's own points the look-up is exact, in every channel") {
+  const auto parameters = hair();
+  const stored_table stored(parameters, 8, 16);
+  const auto section = make_fibre_section(parameters.eta, angle_of_sine(3.0f / 7.0f));
+  const float phi = 3.14159265f * 5.0f / 15.0f;
+  const auto found = look_up_marschner(stored.table, 3.0f / 7.0f, phi);
+  const auto expected = bare_azimuthal(section, 0, phi, parameters.sigma_a);
+  CHECK(found.reflected.z == doctest::Approx(expected[2]).epsilon(1e-5));
+}
+
+TEST_CASE("both axes are even and held at their ends") {
+  const stored_table stored(hair(), 16, 32);
+  const auto a = look_up_marschner(stored.table, 0.3f, 0.2f);
+  const auto b = look_up_marschner(stored.table, -0.3f, -0.2f);
+  CHECK(a.returned == b.returned);
+  const auto end = look_up_marschner(stored.table, 1.0f, 3.1415927f);
+  const auto beyond = look_up_marschner(stored.table, 1.5f, 4.0f);
+  CHECK(end.reflected == beyond.reflected);
+}
+
+TEST_CASE("texture coordinates put the ends on the first and the last texel's middle") {
+  CHECK(table_coordinate(0.0, 64u) == 0.5 / 64.0);
+  CHECK(table_coordinate(1.0, 64u) == 63.5 / 64.0);
+  CHECK(table_coordinate(2.0, 64u) == 63.5 / 64.0);
+  CHECK(table_coordinate(0.5, 3u) == 0.5);
+}

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/bsdf/chiang.hpp>
+#include <pelage/bsdf/longitudinal.hpp>
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace pelage::test {
+
+/// A unit vector by inclination and azimuth.
+template <class Real>
+glm::vec<3, Real> unit_vector(double theta, double phi) {
+  return glm::vec<3, Real>(static_cast<Real>(std::sin(theta)), static_cast<Real>(std::cos(theta) * std::cos(phi)),
+                           static_cast<Real>(std::cos(theta) * std::sin(phi)));
+}
+
+/// ∫ function(x) dx on [low, high] by four Gauss points in each of `panels` equal parts.
+template <class Function>
+double integrate(double low, double high, int panels, Function function) {
+  constexpr std::array<double, 4> node = {-0.86113631159405258, -0.33998104358485626, 0.33998104358485626,
+                                          0.86113631159405258};
+  constexpr std::array<double, 4> weight = {0.34785484513745386, 0.65214515486254614, 0.65214515486254614,
+                                            0.34785484513745386};
+  const double half = 0.5 * (high - low) / panels;
+  double sum = 0.0;
+  for (int k = 0; k < panels; ++k) {
+    for (std::size_t n = 0; n < 4; ++n) {
+      sum += half * weight[n] * function(low + half * (2 * k + 1 + node[n]));
+    }
+  }
+  return sum;
+}
+
+/// ∫ function(w) dω over the sphere: Gauss points in θ, the trapezium rule in φ.
+template <class Real, class Function>
+double integrate_sphere(int theta_panels, int phi_count, Function function) {
+  return integrate(-0.5 * std::numbers::pi, 0.5 * std::numbers::pi, theta_panels, [&](double theta) {
+    double row = 0.0;
+    for (int k = 0; k < phi_count; ++k) {
+      row += static_cast<double>(function(unit_vector<Real>(theta, 2.0 * std::numbers::pi * k / phi_count)));
+    }
+    return row * std::cos(theta) * 2.0 * std::numbers::pi / phi_count;
+  });
+}
+
+/// Panels per half circle and points per circle that resolve a fibre's narrowest lobes.
+template <class Real>
+int theta_panels_for(const chiang_fibre<Real>& fibre) {
+  const double deviation = std::sqrt(static_cast<double>(fibre.longitudinal[1].variance));
+  return static_cast<int>(std::numbers::pi / std::min(deviation, 0.05) * 0.5) + 1;
+}
+
+template <class Real>
+int phi_count_for(const chiang_fibre<Real>& fibre) {
+  return static_cast<int>(2.0 * std::numbers::pi / std::min(static_cast<double>(fibre.azimuthal.scale), 0.05) * 1.1) +
+         1;
+}
+
+}  // namespace pelage::test

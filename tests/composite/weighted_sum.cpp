@@ -1,0 +1,216 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/composite/order_weighted.hpp>
+#include <pelage/composite/weighted_average.hpp>
+#include <pelage/composite/weighted_blended.hpp>
+#include <pelage/composite/weighted_sum.hpp>
+
+#include "composite/layers.hpp"
+#include "property.hpp"
+#include "visibility/cells.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace pelage::test {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+std::array<std::uint32_t, 5> bits(const tail& t) {
+  return std::bit_cast<std::array<std::uint32_t, 5>>(t);
+}
+
+std::array<std::uint32_t, 6> bits(const weighted_average& a) {
+  return std::bit_cast<std::array<std::uint32_t, 6>>(a);
+}
+
+/// What is seen of layers in their order, nearest first: the truth.
+glm::dvec3 sorted_over(const std::vector<layer>& layers, const glm::vec3& background) {
+  glm::dvec3 colour(0.0);
+  double passed = 1.0;
+  for (const layer& each : layers) {
+    colour += passed * each.alpha * glm::dvec3(each.colour);
+    passed *= 1.0 - each.alpha;
+  }
+  return colour + passed * glm::dvec3(background);
+}
+
+double distance(const glm::vec3& a, const glm::dvec3& b) {
+  return glm::length(glm::dvec3(a) - b);
+}
+
+/// Layers of one alpha, as the papers' figures have them.
+std::vector<layer> draw_equal_layers(float alpha) {
+  std::vector<layer> layers = draw_layers();
+  for (layer& each : layers) {
+    each.alpha = alpha;
+  }
+  return layers;
+}
+
+tail order_weighted_sum(const std::vector<layer>& layers) {
+  tail sum = empty_tail();
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const float weight = order_weight(layers[i].alpha, static_cast<float>(i));
+    sum = add_weighted(sum, layers[i].alpha, weight, layers[i].colour);
+  }
+  return sum;
+}
+
+TEST_CASE("order-weighted blending is sorted blending where all alphas are equal and all orders right") {
+  holds("any colours", [] {
+    const std::vector<layer> layers = draw_equal_layers(*rc::gen::element(0.03f, 0.15f, 0.25f, 0.5f, 0.9f));
+    const glm::vec3 background = draw_colour();
+    RC_ASSERT(distance(resolve(order_weighted_sum(layers), background), sorted_over(layers, background)) < 1e-4);
+  });
+}
+
+TEST_CASE("a weight by optical depth is right where alphas differ too") {
+  holds("any layers", [] {
+    const std::vector<layer> layers = draw_layers(0.9f);
+    const glm::vec3 background = draw_colour();
+    tail sum = empty_tail();
+    float passed_optical = 0.0f;
+    for (const layer& each : layers) {
+      sum = add_weighted(sum, each.alpha, optical_weight(each.alpha, passed_optical), each.colour);
+      passed_optical += static_cast<float>(optical_depth(each.alpha));
+    }
+    // Weights round by 2^-21 each, and where alphas are tiny that is much of their sum.
+    double weight = 0.0;
+    for (const layer& each : layers) {
+      weight += each.alpha;
+    }
+    RC_PRE(weight == 0.0 || weight > 0.01);
+    RC_ASSERT(distance(resolve(sum, background), sorted_over(layers, background)) < 3e-3);
+  });
+}
+
+TEST_CASE("a pixel of one colour keeps it under every weight, its background shines through by the exact product") {
+  holds("any weights", [] {
+    const std::vector<layer> layers = draw_layers();
+    const glm::vec3 colour = draw_colour();
+    tail sum = empty_tail();
+    double passed = 1.0;
+    bool weighed = false;
+    for (const layer& each : layers) {
+      const float weight = draw_share();
+      weighed = weighed || weight > 0.01f;
+      sum = add_weighted(sum, each.alpha, weight, colour);
+      passed *= 1.0 - each.alpha;
+    }
+    RC_PRE(weighed);
+    const glm::vec3 background = draw_colour();
+    const glm::dvec3 expected = (1.0 - passed) * glm::dvec3(colour) + passed * glm::dvec3(background);
+    RC_ASSERT(distance(resolve(sum, background), expected) < 1e-3);
+  });
+}
+
+TEST_CASE("threads leave the bits of the plain sum in their pixel and nothing in another") {
+  holds("1 to 8 threads", [] {
+    const std::vector<layer> layers = draw_layers();
+    const tail expected = order_weighted_sum(layers);
+    for (std::uint32_t threads = 1u; threads <= 8u; threads *= 2u) {
+      cells_of<shaken_cells> storage(15u, 0u);
+      deal_to_threads(threads, layers.size(), [&](std::size_t i) {
+        const float weight = order_weight(layers[i].alpha, static_cast<float>(i));
+        add_to_tail(storage, 1u, add_weighted(empty_tail(), layers[i].alpha, weight, layers[i].colour));
+      });
+      RC_ASSERT(bits(load_tail(storage, 1u)) == bits(expected));
+      RC_ASSERT(bits(load_tail(storage, 0u)) == bits(empty_tail()));
+      RC_ASSERT(bits(load_tail(storage, 2u)) == bits(empty_tail()));
+    }
+  });
+}
+
+TEST_CASE("a weight of order falls with the order, an opaque fragment hides all behind it") {
+  holds("two orders", [] {
+    const float alpha = draw_share();
+    const float a = 30.0f * draw_share();
+    const float b = 30.0f * draw_share();
+    RC_ASSERT(order_weight(alpha, std::max(a, b)) <= order_weight(alpha, std::min(a, b)) * 1.000001f);
+    RC_ASSERT(order_weight(alpha, 0.0f) == alpha);
+    RC_ASSERT(std::abs(order_weight(alpha, a) - alpha * std::pow(1.0 - alpha, double{a})) < 2e-6);
+  });
+  CHECK(order_weight(1.0f, 0.0f) == 1.0f);
+  CHECK(order_weight(1.0f, 1e-6f) == 0.0f);
+  CHECK(optical_weight(0.5f, 1048576.0f) == 0.25f);
+}
+
+TEST_CASE("weights that are none count as none") {
+  for (const float weight : {nan, -1.0f, 0.0f}) {
+    const tail t = add_weighted(empty_tail(), 0.5f, weight, glm::vec3(1.0f));
+    CHECK(t.weight == 0u);
+    CHECK(t.red == 0u);
+    CHECK(transmittance_of(t) == 0.5f);
+    CHECK(resolve(t, glm::vec3(1.0f)) == glm::vec3(0.5f));
+  }
+}
+
+TEST_CASE("weighted average is sorted blending where all fragments are the same") {
+  holds("any number", [] {
+    const auto count = *rc::gen::inRange<std::size_t>(0u, 60u);
+    const float alpha = 0.01f + 0.8f * draw_share();
+    const std::vector<layer> layers(count, layer{alpha, draw_colour()});
+    const glm::vec3 background = draw_colour();
+    weighted_average average = weighted_average::empty();
+    for (const layer& each : layers) {
+      average.add(each.alpha, each.colour);
+    }
+    RC_ASSERT(distance(average.resolve(background), sorted_over(layers, background)) < 1e-3);
+  });
+}
+
+TEST_CASE("the average's transmittance is never less than the product, by more than rounding") {
+  holds("any layers", [] {
+    weighted_average average = weighted_average::empty();
+    double passed = 1.0;
+    for (const layer& each : draw_layers()) {
+      average.add(each.alpha, each.colour);
+      passed *= 1.0 - each.alpha;
+    }
+    RC_ASSERT(average.transmittance() >= passed - 2e-5);
+    RC_ASSERT(average.transmittance() <= 1.0f);
+  });
+}
+
+TEST_CASE("an average has the same bits in any order and by any merge") {
+  holds("shuffled", [] {
+    const std::vector<layer> layers = draw_layers();
+    std::vector<layer> shuffled = layers;
+    std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(*rc::gen::arbitrary<std::uint32_t>()));
+    weighted_average whole = weighted_average::empty();
+    for (const layer& each : layers) {
+      whole.add(each.alpha, each.colour);
+    }
+    std::array<weighted_average, 2> part{weighted_average::empty(), weighted_average::empty()};
+    for (const layer& each : shuffled) {
+      part[*rc::gen::inRange<std::size_t>(0u, 2u)].add(each.alpha, each.colour);
+    }
+    part[0].merge(part[1]);
+    RC_ASSERT(bits(part[0]) == bits(whole));
+  });
+}
+
+TEST_CASE("a weight of depth falls from alpha to its least, by the paper's formula") {
+  holds("any depths", [] {
+    const float alpha = draw_share();
+    const float z = draw_share();
+    const double expected = alpha * std::max(1e-2, 3e3 * std::pow(1.0 - z, 3.0)) / 3e3;
+    RC_ASSERT(std::abs(depth_weight(alpha, z) - expected) <= 1e-6 * expected + 1e-12);
+  });
+  CHECK(depth_weight(1.0f, 0.0f) == 1.0f);
+  CHECK(depth_weight(0.25f, -1.0f) == 0.25f);
+  CHECK(depth_weight(0.25f, nan) == 0.25f);
+}
+
+}  // namespace pelage::test

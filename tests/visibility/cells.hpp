@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/visibility/cell_storage.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+/// What the tests of maps share: storages with their memory, and threads.
+namespace pelage::test {
+
+/// A storage together with its cells, all of one value at first.
+template <class Storage>
+class cells_of : public Storage {
+ public:
+  cells_of(std::uint32_t count, std::uint32_t value) : memory_(count, value) { this->cells = memory_; }
+  cells_of(const cells_of&) = delete;
+  cells_of& operator=(const cells_of&) = delete;
+
+  [[nodiscard]] const std::vector<std::uint32_t>& memory() const { return memory_; }
+
+ private:
+  std::vector<std::uint32_t> memory_;
+};
+
+/// Lets other threads run at times between the load of a cell and its change.
+struct shaken_cells : atomic_cell_storage {
+  std::uint32_t compare_exchange_cell(std::uint32_t cell, std::uint32_t expected, std::uint32_t desired,
+                                      std::memory_order order) {
+    give_way();
+    return atomic_cell_storage::compare_exchange_cell(cell, expected, desired, order);
+  }
+  std::uint32_t fetch_or_cell(std::uint32_t cell, std::uint32_t bits, std::memory_order order) {
+    give_way();
+    return atomic_cell_storage::fetch_or_cell(cell, bits, order);
+  }
+
+ private:
+  static void give_way() {
+    thread_local std::uint32_t calls = 0u;
+    calls = calls * 1664525u + 1013904223u;
+    if (calls >> 30u == 0u) std::this_thread::yield();
+  }
+};
+
+/// A fault: two steps where the concept asks for one.
+struct torn_cells : atomic_cell_storage {
+  std::uint32_t compare_exchange_cell(std::uint32_t cell, std::uint32_t expected, std::uint32_t desired,
+                                      std::memory_order order) {
+    std::this_thread::yield();
+    std::atomic_ref(cells[cell]).store(desired, order);
+    return expected;
+  }
+  std::uint32_t fetch_or_cell(std::uint32_t cell, std::uint32_t bits, std::memory_order order) {
+    const std::uint32_t found = load_cell(cell, order);
+    std::this_thread::yield();
+    std::atomic_ref(cells[cell]).store(found | bits, order);
+    return found;
+  }
+};
+
+/// Calls change(i) for each i of [0, count), the numbers dealt out to threads in turn.
+template <class Change>
+void deal_to_threads(std::uint32_t threads, std::size_t count, Change&& change) {
+  std::atomic<std::uint32_t> ready = 0u;
+  std::vector<std::jthread> running;
+  for (std::uint32_t thread = 0u; thread < threads; ++thread) {
+    running.emplace_back([&, thread] {
+      ++ready;
+      while (ready < threads) {
+        std::this_thread::yield();
+      }
+      for (std::size_t i = thread; i < count; i += threads) {
+        change(i);
+      }
+    });
+  }
+}
+
+}  // namespace pelage::test

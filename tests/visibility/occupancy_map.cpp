@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/visibility/depth_range.hpp>
+#include <pelage/visibility/occupancy_batch.hpp>
+#include <pelage/visibility/occupancy_map.hpp>
+
+#include "visibility/map_laws.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace pelage::test {
+
+static_assert(sizeof(occupancy_map<>) + sizeof(depth_range) == 40, "10 MiB for 512 x 512 texels");
+
+template <std::uint32_t Slices, std::uint32_t Slabs>
+struct occupancy {
+  using map = occupancy_map<Slices, Slabs>;
+  static constexpr std::uint32_t layers = Slices;
+  static constexpr std::uint32_t cells = map::cells;
+  static bool exact_at(std::uint32_t layer) { return layer % (Slices / Slabs) == 0u; }
+  static void add(map& m, float position, std::uint32_t amount) { m.add(position, amount); }
+  static float before(const map& m, float position) { return m.amount_before(position); }
+  static void add_shared(auto& storage, std::uint32_t texel, float position, std::uint32_t amount) {
+    add_to_occupancy_map<map>(storage, texel, position, amount);
+  }
+  static map load(const auto& storage, std::uint32_t texel) { return load_occupancy_map<map>(storage, texel); }
+};
+
+TEST_CASE("128 slices in 4 slabs keep the laws of a map") {
+  check_map_laws<occupancy<128u, 4u>>(1000u);
+  check_merge<occupancy<128u, 4u>>(1000u);
+}
+
+TEST_CASE("they are kept with sums that end at their range") {
+  check_map_laws<occupancy<32u, 2u>>(1u << 27u);
+  check_merge<occupancy<32u, 2u>>(1u << 27u);
+}
+
+TEST_CASE("they are kept with slabs of several words, of parts of one, and of one slice") {
+  check_map_laws<occupancy<128u, 1u>>(1u);
+  check_map_laws<occupancy<64u, 16u>>(1u);
+  check_map_laws<occupancy<32u, 32u>>(1u);
+}
+
+TEST_CASE("seeded: cells that change in two steps lose fragments, and the laws see it") {
+  CHECK(lost_by_torn_cells<occupancy<32u, 1u>>() > 0.0);
+}
+
+template <std::uint32_t Slices, std::uint32_t Slabs>
+void check_batch(std::uint32_t most) {
+  holds(std::to_string(Slices) + " slices in " + std::to_string(Slabs) + " slabs", [most] {
+    using described = occupancy<Slices, Slabs>;
+    const auto map = map_of<described>(draw_entries<described>(most));
+    std::vector<float> positions(*rc::gen::inRange<std::size_t>(0u, 70u));
+    for (float& position : positions) {
+      position = static_cast<float>(*rc::gen::inRange<std::uint32_t>(0u, 16u * Slices + 1u)) / 16.0f;
+    }
+    std::vector<float> amounts(positions.size());
+    amounts_before(map, positions, amounts);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      RC_ASSERT(amounts[i] == map.amount_before(positions[i]));
+    }
+    amounts_before(map, positions, positions);
+    RC_ASSERT(positions == amounts);
+  });
+}
+
+TEST_CASE("batches give the bits of single look-ups, in place too") {
+  check_batch<128u, 4u>(1000u);
+  check_batch<128u, 4u>(1u << 30u);
+  check_batch<128u, 1u>(1u);
+  check_batch<64u, 16u>(1u << 20u);
+  check_batch<32u, 32u>(1u);
+}
+
+TEST_CASE("where no slice holds more than one fragment the order is the truth at every slice") {
+  holds("one or none a slice", [] {
+    const auto held = *rc::gen::container<std::array<bool, 128>>(rc::gen::arbitrary<bool>());
+    occupancy_map<> map = occupancy_map<>::empty();
+    for (std::uint32_t i = 0u; i < 128u; ++i) {
+      if (held[i]) map.add(static_cast<float>(i) + 0.5f, 1u);
+    }
+    double truth = 0.0;
+    for (std::uint32_t i = 0u; i < 128u; ++i) {
+      RC_ASSERT(std::abs(map.amount_before(static_cast<float>(i)) - truth) < 1e-5);
+      truth += held[i] ? 1.0 : 0.0;
+    }
+  });
+}
+
+TEST_CASE("an empty slice adds nothing to the order, a set one adds linearly") {
+  occupancy_map<> map = occupancy_map<>::empty();
+  map.add(3.0f, 1u);
+  map.add(9.9f, 1u);
+  CHECK(map.amount_before(4.0f) == 1.0f);
+  CHECK(map.amount_before(9.0f) == 1.0f);
+  CHECK(map.amount_before(9.25f) == 1.25f);
+  CHECK(map.amount_before(10.0f) == 2.0f);
+  CHECK(map.amount_before(128.0f) == 2.0f);
+}
+
+/// RMS difference of the estimated and the true order at every fragment of a clustered pixel.
+template <std::uint32_t Slices>
+double order_error(const std::vector<float>& sorted) {
+  occupancy_map<Slices, 4u> map = occupancy_map<Slices, 4u>::empty();
+  for (const float relative : sorted) {
+    map.add(slice_position(relative, Slices), 1u);
+  }
+  double squares = 0.0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const double difference = map.amount_before(slice_position(sorted[i], Slices)) - static_cast<double>(i);
+    squares += difference * difference;
+  }
+  return std::sqrt(squares / static_cast<double>(sorted.size()));
+}
+
+TEST_CASE("the order converges with the number of slices, to within one fragment") {
+  std::mt19937 random(7u);
+  std::vector<float> sorted;
+  for (int i = 0; i < 120; ++i) {
+    const float x = static_cast<float>(random() >> 8u) / 16777216.0f;
+    sorted.push_back(x * x * x);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const std::array<double, 4> error = {order_error<32u>(sorted), order_error<128u>(sorted), order_error<1024u>(sorted),
+                                       order_error<65536u>(sorted)};
+  CHECK(error[1] < error[0]);
+  CHECK(error[2] < error[1]);
+  CHECK(error[3] < error[2]);
+  CHECK(error[3] < 1.0);
+}
+
+}  // namespace pelage::test

@@ -1,0 +1,82 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/visibility/depth_range.hpp>
+#include <pelage/visibility/opacity_map.hpp>
+
+#include "visibility/map_laws.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace pelage::test {
+
+static_assert(sizeof(opacity_map<16u>) + sizeof(depth_range) == 72, "18 MiB for 512 x 512 texels");
+static_assert(sizeof(opacity_map<128u>) + sizeof(depth_range) == 520, "130 MiB");
+
+template <std::uint32_t Layers>
+struct opacity {
+  using map = opacity_map<Layers>;
+  static constexpr std::uint32_t layers = Layers;
+  static constexpr std::uint32_t cells = Layers;
+  static bool exact_at(std::uint32_t) { return true; }
+  static void add(map& m, float position, std::uint32_t amount) { m.add(position, amount); }
+  static float before(const map& m, float position) { return m.amount_before(position); }
+  static void add_shared(auto& storage, std::uint32_t texel, float position, std::uint32_t amount) {
+    add_to_opacity_map<Layers>(storage, texel, position, amount);
+  }
+  static map load(const auto& storage, std::uint32_t texel) { return load_opacity_map<Layers>(storage, texel); }
+};
+
+/// The same after accumulate().
+template <std::uint32_t Layers>
+struct accumulated : opacity<Layers> {
+  static float before(opacity_map<Layers> m, float position) {
+    m.accumulate();
+    return m.accumulated_before(position);
+  }
+};
+
+TEST_CASE("opacity maps keep the laws of a map") {
+  check_map_laws<opacity<4u>>(1000u);
+  check_map_laws<opacity<33u>>(1u);
+  check_merge<opacity<4u>>(1000u);
+}
+
+TEST_CASE("they are kept with sums of any size but those that end at their range") {
+  check_map_laws<opacity<4u>>(1u << 26u);
+  check_merge<opacity<4u>>(1u << 30u);
+}
+
+TEST_CASE("accumulated maps keep the laws, sums that end at their range included") {
+  check_map_laws<accumulated<4u>>(1000u);
+  check_map_laws<accumulated<33u>>(1u << 26u);
+}
+
+TEST_CASE("seeded: cells that change in two steps lose fragments, and the laws see it") {
+  CHECK(lost_by_torn_cells<opacity<2u>>() > 0.0);
+}
+
+TEST_CASE("a layer counts by the share of it that lies before") {
+  opacity_map<4u> map = opacity_map<4u>::empty();
+  map.add(0.5f, 8u);
+  map.add(1.0f, 4u);
+  map.add(4.0f, 2u);
+  CHECK(map.total() == 14u);
+  CHECK(map.amount_before(0.25f) == 2.0f);
+  CHECK(map.amount_before(1.5f) == 10.0f);
+  CHECK(map.amount_before(3.0f) == 12.0f);
+  CHECK(map.amount_before(4.0f) == 14.0f);
+}
+
+TEST_CASE("both ways to look up agree to rounding") {
+  holds("any map, any position", [] {
+    const auto map = map_of<opacity<16u>>(draw_entries<opacity<16u>>(1000u));
+    const float position = static_cast<float>(*rc::gen::inRange(0, 16 * 1024 + 1)) / 1024.0f;
+    const float direct = map.amount_before(position);
+    RC_ASSERT(std::abs(direct - accumulated<16u>::before(map, position)) <= 1e-6f * (1.0f + direct));
+  });
+}
+
+}  // namespace pelage::test
