@@ -6,8 +6,8 @@
 pelage_frame_packages=(g++ cmake ninja-build libglm-dev libcli11-dev libfmt-dev nlohmann-json3-dev libstb-dev
   libtbb-dev)
 pelage_test_packages=("${pelage_frame_packages[@]}" clang libclang-rt-14-dev doctest-dev librapidcheck-dev
-  libboost-context-dev python3
-  glslang-tools)
+  libboost-context-dev python3 glslang-tools glslc spirv-tools libclang-14-dev llvm-14-dev libvulkan-dev
+  mesa-vulkan-drivers vulkan-validationlayers)
 
 # pelage_install PACKAGE...: installs those that are missing; says in one line what it cannot, and exits 2.
 pelage_install() {

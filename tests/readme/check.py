@@ -32,7 +32,7 @@ def commands(block, include, compile_cpp, work):
     stage = "comp" if "local_size_x" in block["code"] else "vert" if "gl_Position" in block["code"] else "frag"
     source = work / f"block.{stage}"
     source.write_text(block["code"])
-    vulkan = ["-V", "-o", str(work / "block.spv")] if re.search(r"\bset *=|push_constant", block["code"]) else []
+    vulkan = ["-V", "-o", str(work / "block.spv")] if re.search(r"\bset *=|push_constant", block["code"]) else ["-l"]
     return [[validator, *vulkan, f"-I{include}", str(source)]]
 
 

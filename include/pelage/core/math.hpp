@@ -95,9 +95,9 @@ constexpr float fast_exp2(float x) noexcept {
   p = p * t + 0.693147188f;
   p = p * t + 1.0f;
   // 2^whole in two factors: 2^128 alone would overflow where the result does not.
-  const int half = whole / 2;
-  const float first = std::bit_cast<float>(static_cast<std::uint32_t>(half + 127) << 23u);
-  const float second = std::bit_cast<float>(static_cast<std::uint32_t>(whole - half + 127) << 23u);
+  const int part = whole / 2;
+  const float first = std::bit_cast<float>(static_cast<std::uint32_t>(part + 127) << 23u);
+  const float second = std::bit_cast<float>(static_cast<std::uint32_t>(whole - part + 127) << 23u);
   return p * first * second;
 }
 

@@ -51,7 +51,7 @@ struct k_buffer {
 
 template <std::uint32_t K>
 constexpr k_buffer<K> k_buffer<K>::empty() noexcept {
-  k_buffer<K> none = k_buffer<K>{};
+  k_buffer<K> none;
   for (std::uint32_t i = 0u; i < K; ++i) {
     none.slot[i] = no_fragment();
   }

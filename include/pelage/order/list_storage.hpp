@@ -56,7 +56,7 @@ struct atomic_list_storage {
   }
 
   [[nodiscard]] std::uint32_t list_count() const noexcept {
-    return static_cast<std::uint32_t>(links.size() - nodes.size());
+    return static_cast<std::uint32_t>(links.size()) - static_cast<std::uint32_t>(nodes.size());
   }
   [[nodiscard]] std::uint32_t node_capacity() const noexcept { return static_cast<std::uint32_t>(nodes.size()); }
 

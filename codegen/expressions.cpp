@@ -1,0 +1,356 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "names.hpp"
+#include "translator.hpp"
+
+#include <clang/Lex/Lexer.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace pelage::codegen {
+
+using namespace clang;
+
+namespace {
+
+std::string with_point(std::string digits) {
+  if (digits.find_first_of(".e") == std::string::npos) return digits + ".0";
+  if (digits.back() == '.') return digits + "0";
+  return digits;
+}
+
+std::string shortest(float value) {
+  if (std::isinf(value)) return value > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
+  if (std::isnan(value)) return "uintBitsToFloat(0x7fc00000u)";
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return with_point(std::string(text, end));
+}
+
+}  // namespace
+
+bool has_size(const Stmt* s) {
+  if (isa<SubstNonTypeTemplateParmExpr>(s)) return true;
+  return std::any_of(s->child_begin(), s->child_end(), [](const Stmt* c) { return c != nullptr && has_size(c); });
+}
+
+std::string translator::reject(SourceLocation where, const std::string& reason) {
+  found_.add(where, reason);
+  return "0";
+}
+
+/// As it is spelled, where that means the same float in both languages.
+std::string translator::literal(const FloatingLiteral* l) {
+  llvm::APFloat value = l->getValue();
+  bool inexact = false;
+  value.convert(llvm::APFloat::IEEEsingle(), llvm::APFloat::rmNearestTiesToEven, &inexact);
+  const float wanted = value.convertToFloat();
+  const CharSourceRange range = CharSourceRange::getTokenRange(sources_.getSpellingLoc(l->getBeginLoc()));
+  std::string spelled = Lexer::getSourceText(range, sources_, context_.getLangOpts()).str();
+  spelled.erase(std::remove(spelled.begin(), spelled.end(), '\''), spelled.end());
+  while (!spelled.empty() && std::string("fFlL").find(spelled.back()) != std::string::npos)
+    spelled.pop_back();
+  const bool decimal = spelled.find_first_not_of("0123456789.e+-") == std::string::npos && !spelled.empty();
+  return decimal && std::strtof(spelled.c_str(), nullptr) == wanted ? with_point(spelled) : shortest(wanted);
+}
+
+std::string translator::literal(const IntegerLiteral* l, QualType as) {
+  const std::string digits = llvm::toString(l->getValue(), 10, false);
+  if (as->isFloatingType()) return with_point(digits);
+  if (as->isBooleanType()) return l->getValue() == 0 ? "false" : "true";
+  const CharSourceRange range = CharSourceRange::getTokenRange(sources_.getSpellingLoc(l->getBeginLoc()));
+  std::string spelled = Lexer::getSourceText(range, sources_, context_.getLangOpts()).str();
+  spelled.erase(std::remove(spelled.begin(), spelled.end(), '\''), spelled.end());
+  std::string text = spelled.rfind("0x", 0) == 0 ? spelled.substr(0, spelled.find_first_of("uUlL")) : digits;
+  const bool wide = context_.getTypeSize(as) == 64;
+  if (as->isUnsignedIntegerType()) text += "u";
+  return wide ? text + "l" : text;
+}
+
+/// A value that the compiler knows, as a literal.
+std::string translator::constant(const Expr* e) {
+  Expr::EvalResult result;
+  if (!e->EvaluateAsRValue(result, context_) || result.HasSideEffects) return {};
+  if (result.Val.isFloat()) {
+    llvm::APFloat value = result.Val.getFloat();
+    bool inexact = false;
+    value.convert(llvm::APFloat::IEEEsingle(), llvm::APFloat::rmNearestTiesToEven, &inexact);
+    return shortest(value.convertToFloat());
+  }
+  if (result.Val.isInt()) {
+    const std::string text = llvm::toString(result.Val.getInt(), 10);
+    if (e->getType()->isBooleanType()) return text == "0" ? "false" : "true";
+    return text + (e->getType()->isUnsignedIntegerType() ? "u" : "") +
+           (context_.getTypeSize(e->getType()) == 64 ? "l" : "");
+  }
+  return {};
+}
+
+/// The value of an expression of constants as glslang computes it: in double, from the decimals. C++ rounds each step
+/// to float, so where the two differ the mirror holds the result in the expression's place.
+bool translator::fold(const Expr* e, double& value) {
+  e = e->IgnoreParenCasts();
+  if (const auto* x = dyn_cast<FloatingLiteral>(e)) {
+    value = std::strtod(literal(x).c_str(), nullptr);
+    return true;
+  }
+  if (const auto* x = dyn_cast<IntegerLiteral>(e)) {
+    value = static_cast<double>(x->getValue().getZExtValue());
+    return true;
+  }
+  if (const auto* x = dyn_cast<DeclRefExpr>(e)) {
+    const auto* v = dyn_cast<VarDecl>(x->getDecl());
+    const Expr* init = v == nullptr || !v->getType().isConstQualified() ? nullptr : v->getAnyInitializer();
+    return init != nullptr && fold(init, value);
+  }
+  if (const auto* x = dyn_cast<UnaryOperator>(e)) {
+    if (x->getOpcode() != UO_Minus || !fold(x->getSubExpr(), value)) return false;
+    value = -value;
+    return true;
+  }
+  const auto* x = dyn_cast<BinaryOperator>(e);
+  double left = 0.0;
+  double right = 0.0;
+  if (x == nullptr || !fold(x->getLHS(), left) || !fold(x->getRHS(), right)) return false;
+  switch (x->getOpcode()) {
+    case BO_Add:
+      value = left + right;
+      return true;
+    case BO_Sub:
+      value = left - right;
+      return true;
+    case BO_Mul:
+      value = left * right;
+      return true;
+    case BO_Div:
+      value = left / right;
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string translator::expression(const Expr* e, position at) {
+  std::string text;
+  if (const auto* x = dyn_cast<FullExpr>(e)) return expression(x->getSubExpr(), at);
+  if (const auto* x = dyn_cast<MaterializeTemporaryExpr>(e)) return expression(x->getSubExpr(), at);
+  if (const auto* x = dyn_cast<CXXBindTemporaryExpr>(e)) return expression(x->getSubExpr(), at);
+  if (const auto* x = dyn_cast<CXXDefaultArgExpr>(e)) return expression(x->getExpr(), at);
+  if (const auto* x = dyn_cast<SubstNonTypeTemplateParmExpr>(e)) return size_name(x->getParameter(), x->getBeginLoc());
+  if (storage_expression(e, text, at)) return text;
+  if (const auto* x = dyn_cast<ParenExpr>(e)) return "(" + expression(x->getSubExpr(), at) + ")";
+  if (const auto* x = dyn_cast<FloatingLiteral>(e)) {
+    if (!context_.hasSameUnqualifiedType(x->getType(), context_.FloatTy)) {
+      return reject(e->getBeginLoc(), "double literal: add `f`, or convert it with Real(...)");
+    }
+    return literal(x);
+  }
+  if (const auto* x = dyn_cast<IntegerLiteral>(e)) return literal(x, x->getType());
+  if (const auto* x = dyn_cast<CXXBoolLiteralExpr>(e)) return x->getValue() ? "true" : "false";
+  if (const auto* x = dyn_cast<DeclRefExpr>(e)) return reference(x);
+  if (const auto* x = dyn_cast<MemberExpr>(e)) return member(x);
+  if (const auto* x = dyn_cast<CXXConstructExpr>(e)) return construct(x);
+  if (const auto* x = dyn_cast<CastExpr>(e)) return conversion(x, at);
+  if (const auto* x = dyn_cast<InitListExpr>(e)) return initializer_list(x);
+  if (isa<CXXScalarValueInitExpr>(e) || isa<ImplicitValueInitExpr>(e)) return zero(e->getType(), e->getExprLoc());
+  if (const auto* x = dyn_cast<CXXOperatorCallExpr>(e)) return operator_call(x, at);
+  if (const auto* x = dyn_cast<CallExpr>(e)) return call(x, at);
+  if (const auto* x = dyn_cast<ConditionalOperator>(e)) {
+    const std::string condition = expression(x->getCond());
+    return condition + " ? " + expression(x->getTrueExpr(), at) + " : " + expression(x->getFalseExpr(), at);
+  }
+  if (const auto* x = dyn_cast<UnaryOperator>(e)) {
+    if (x->isIncrementDecrementOp()) {
+      return reject(x->getOperatorLoc(), "increment inside an expression: make it a statement of its own");
+    }
+    if (x->getOpcode() == UO_Deref && isa<CXXThisExpr>(x->getSubExpr()->IgnoreParenImpCasts())) return "self";
+    if (x->getOpcode() == UO_Deref || x->getOpcode() == UO_AddrOf) return reject(x->getOperatorLoc(), "pointer");
+    arithmetic_ = arithmetic_ || x->getType()->isFloatingType();
+    const std::string op = UnaryOperator::getOpcodeStr(x->getOpcode()).str();
+    const std::string operand = expression(x->getSubExpr());
+    return op + (operand.rfind(op, 0) == 0 ? "(" + operand + ")" : operand);
+  }
+  if (const auto* x = dyn_cast<BinaryOperator>(e)) {
+    if (x->isAssignmentOp()) {
+      return reject(x->getOperatorLoc(), "assignment inside an expression: make it a statement of its own");
+    }
+    const BinaryOperatorKind op = x->getOpcode();
+    if (op == BO_Comma) return reject(x->getOperatorLoc(), "comma operator");
+    if (op == BO_Cmp) return reject(x->getOperatorLoc(), "operator <=>");
+    if (op == BO_Rem && x->getType()->isSignedIntegerType()) {
+      return reject(x->getOperatorLoc(), "% on signed integers");
+    }
+    if (x->isPtrMemOp()) return reject(x->getOperatorLoc(), "pointer to member");
+    arithmetic_ = arithmetic_ || (x->getType()->isFloatingType() && !x->isComparisonOp());
+    if (x->getType()->isFloatingType() && !has_size(x)) {
+      double folded = 0.0;
+      const std::string exact = constant(x);
+      if (!exact.empty() && (!fold(x, folded) || exact != shortest(static_cast<float>(folded)))) return exact;
+    }
+    return expression(x->getLHS()) + " " + x->getOpcodeStr().str() + " " + expression(x->getRHS());
+  }
+  return unsupported(e);
+}
+
+std::string translator::unsupported(const Expr* e) {
+  const SourceLocation where = e->getBeginLoc();
+  if (isa<LambdaExpr>(e)) return reject(where, "lambda");
+  if (isa<CXXThisExpr>(e)) return reject(where, "pointer");
+  if (isa<CXXNullPtrLiteralExpr>(e)) return reject(where, "pointer");
+  if (isa<CXXThrowExpr>(e)) return reject(where, "exceptions");
+  if (isa<CXXNewExpr>(e) || isa<CXXDeleteExpr>(e)) return reject(where, "allocation");
+  if (isa<UnaryExprOrTypeTraitExpr>(e)) return reject(where, "sizeof and alignof");
+  if (isa<StringLiteral>(e) || isa<CharacterLiteral>(e)) return reject(where, "character or string");
+  if (isa<ArraySubscriptExpr>(e)) return reject(where, "C array: use std::array");
+  if (isa<CXXRewrittenBinaryOperator>(e)) return reject(where, "comparison of structs: write it out");
+  if (isa<CXXStdInitializerListExpr>(e)) return reject(where, "std::initializer_list");
+  if (isa<StmtExpr>(e)) return reject(where, "statement inside an expression");
+  return reject(where, std::string(e->getStmtClassName()) + " is not in the subset");
+}
+
+std::string translator::conversion(const CastExpr* c, position at) {
+  const Expr* from = c->getSubExpr();
+  const SourceLocation where = c->getBeginLoc();
+  if (isa<CStyleCastExpr>(c)) return reject(where, "C cast: use static_cast or T(x)");
+  if (isa<CXXReinterpretCastExpr>(c) || isa<CXXConstCastExpr>(c) || isa<CXXDynamicCastExpr>(c)) {
+    return reject(where, "reinterpret_cast, const_cast and dynamic_cast");
+  }
+  switch (c->getCastKind()) {
+    case CK_LValueToRValue:
+    case CK_NoOp:
+    case CK_FunctionToPointerDecay:
+    case CK_ConstructorConversion:
+    case CK_UserDefinedConversion:
+      return expression(from, at);
+    case CK_IntegralCast:
+    case CK_IntegralToFloating:
+    case CK_FloatingToIntegral:
+    case CK_FloatingCast:
+    case CK_IntegralToBoolean:
+    case CK_FloatingToBoolean:
+      break;
+    case CK_DerivedToBase:
+    case CK_UncheckedDerivedToBase:
+      return reject(where, "base class");
+    default:
+      return reject(where, std::string("conversion ") + c->getCastKindName() + " is not in the subset");
+  }
+  if (c->getCastKind() == CK_FloatingCast) {
+    if (!context_.hasSameUnqualifiedType(c->getType(), context_.FloatTy)) {
+      return reject(where, "double: the mirror computes in float");
+    }
+    const Expr* inner = from->IgnoreParenImpCasts();
+    if (const auto* l = dyn_cast<FloatingLiteral>(inner)) return literal(l);
+    const std::string folded = constant(from);
+    return folded.empty() ? reject(where, "double: the mirror computes in float") : folded;
+  }
+  const Expr* plain = from->IgnoreParens();
+  if (const auto* l = dyn_cast<IntegerLiteral>(plain)) return literal(l, c->getType());
+  if (const auto* u = dyn_cast<UnaryOperator>(plain); u != nullptr && u->getOpcode() == UO_Minus) {
+    const auto* l = dyn_cast<IntegerLiteral>(u->getSubExpr());
+    if (l != nullptr && !c->getType()->isUnsignedIntegerType()) return "-" + literal(l, c->getType());
+  }
+  const QualType to = c->getType();
+  const QualType was = from->getType();
+  if (context_.hasSameUnqualifiedType(to, was)) return expression(from, at);
+  const bool widens = to->isIntegerType() && context_.getTypeSize(to) == 64 && context_.getTypeSize(was) < 64;
+  if (widens && isa<ImplicitCastExpr>(c) && !cast<ImplicitCastExpr>(c)->isPartOfExplicitCast()) {
+    return reject(where, "widened to 64 bits where that is not declared: write static_cast<std::uint64_t>");
+  }
+  // An enumeration is its number in GLSL: nothing to convert between the two, unless the widths differ.
+  QualType written = to;
+  if (const auto* x = dyn_cast<ExplicitCastExpr>(c)) written = x->getTypeAsWritten();
+  const std::string text = expression(from, at);
+  const std::string target = type_of(written, where).text();
+  const bool was_enum = was->isEnumeralType();
+  if (was_enum && target == scalar_type(was->castAs<EnumType>()->getDecl()->getIntegerType(), where)) return text;
+  return target + "(" + text + ")";
+}
+
+std::string translator::reference(const DeclRefExpr* r) {
+  const ValueDecl* d = r->getDecl();
+  if (const auto found = renamed_.find(d); found != renamed_.end()) return found->second;
+  if (const auto* e = dyn_cast<EnumConstantDecl>(d)) {
+    const auto* owner = cast<EnumDecl>(e->getDeclContext());
+    if (owner->isInStdNamespace()) return "pelage_" + owner->getNameAsString() + "_" + e->getNameAsString();
+    require_enum(owner);
+    need(owner, r->getBeginLoc());
+    return global_name(owner) + "_" + e->getNameAsString();
+  }
+  const auto* v = dyn_cast<VarDecl>(d);
+  if (isa<BindingDecl>(d) || (v != nullptr && v->isStaticLocal())) return d->getNameAsString();  // told already
+  if (v == nullptr) {
+    return reject(r->getBeginLoc(), isa<FunctionDecl>(d) ? "function used as a value"
+                                                         : "`" + d->getNameAsString() + "` is not in the subset");
+  }
+  if (is_storage_type(v->getType())) {
+    return reject(r->getBeginLoc(), "storage can only be passed on whole, or called");
+  }
+  if (!v->hasGlobalStorage()) return v->getNameAsString();
+  if (!v->isConstexpr()) {
+    return reject(r->getBeginLoc(), "global variable `" + v->getNameAsString() + "` that is not constexpr");
+  }
+  if (v->isInStdNamespace()) {
+    if (v->getType()->isEnumeralType()) return "pelage_" + v->getNameAsString();  // std::memory_order_relaxed
+    return constant(r);
+  }
+  require_constant(v);
+  need(v, r->getBeginLoc());
+  return global_name(v);
+}
+
+std::string translator::member(const MemberExpr* m) {
+  const ValueDecl* d = m->getMemberDecl();
+  if (const auto* v = dyn_cast<VarDecl>(d)) {
+    if (!v->isConstexpr()) return reject(m->getBeginLoc(), "static data member that is not constexpr");
+    require_constant(v);
+    need(v, m->getBeginLoc());
+    return global_name(v);
+  }
+  const auto* f = dyn_cast<FieldDecl>(d);
+  if (f == nullptr) return reject(m->getBeginLoc(), "`" + d->getNameAsString() + "` is not in the subset");
+  const Expr* base = m->getBase();
+  if (f->isAnonymousStructOrUnion()) return expression(base);  // glm's v.x lies in one
+  std::string text = isa<CXXThisExpr>(base->IgnoreParenImpCasts()) ? "self" : expression(base);
+  if (m->isArrow() && text != "self") return reject(m->getOperatorLoc(), "pointer");
+  if (isa<ConditionalOperator>(base->IgnoreParenImpCasts()) && text.front() != '(') text = "(" + text + ")";
+  return text + "." + f->getNameAsString();
+}
+
+/// fragment{a, b} and std::array<T, N>{a, b}: constructors with every part.
+std::string translator::initializer_list(const InitListExpr* l) {
+  if (const InitListExpr* semantic = l->getSemanticForm()) l = semantic;
+  const QualType type = l->getType();
+  if (!type->isRecordType()) {
+    if (l->getNumInits() == 0) return zero(type, l->getBeginLoc());
+    return l->getNumInits() == 1 ? expression(l->getInit(0)) : reject(l->getBeginLoc(), "list of values");
+  }
+  QualType element;
+  std::string extent;
+  const std::vector<const Expr*> values(l->inits().begin(), l->inits().end());
+  if (is_array(type, element, extent, l->getBeginLoc())) {
+    const auto* inner = values.empty() ? nullptr : dyn_cast<InitListExpr>(values.front()->IgnoreImplicit());
+    const std::string name = type_of(type, l->getBeginLoc()).text();
+    const unsigned given = inner == nullptr ? 0 : inner->getNumInits();
+    const unsigned count = count_of(type, element, l->getBeginLoc());
+    if (count == 0 || count > given + 16) {
+      return reject(l->getBeginLoc(), "an array of many zeros: declare it without a value and fill it in a loop");
+    }
+    std::string parts;
+    for (unsigned i = 0; i < count; ++i) {
+      parts += i == 0 ? "" : ", ";
+      parts += i < given ? expression(inner->getInit(i)) : zero(element, l->getBeginLoc());
+    }
+    return name + "(" + parts + ")";
+  }
+  const std::string name = type_of(type, l->getBeginLoc()).text();
+  std::string parts;
+  for (const Expr* value : values)
+    parts += (parts.empty() ? "" : ", ") + expression(value);
+  return name + "(" + parts + ")";
+}
+
+}  // namespace pelage::codegen

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <clang/Basic/SourceManager.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace pelage::codegen {
+
+/// Everything that lies outside of the subset, each with its place. All of it is reported, in the order of the
+/// source, and nothing is written when there is any.
+class problems {
+ public:
+  explicit problems(const clang::SourceManager& sources) : sources_(sources) {}
+  void add(clang::SourceLocation where, const std::string& reason);
+  [[nodiscard]] bool none() const { return found_.empty(); }
+  void print() const;
+
+ private:
+  const clang::SourceManager& sources_;
+  std::set<std::tuple<std::string, unsigned, std::string>> found_;  ///< file, line, reason
+};
+
+struct unit;
+
+/// One global name of the mirror: a structure, a function, a constant or an enumeration.
+struct entity {
+  std::string name;         ///< in GLSL
+  std::string signature;    ///< name and parameter types: what two overloads must not share
+  std::string doc;          ///< lines that begin with ///
+  std::string declaration;  ///< a function's prototype without `;`, the whole text of anything else
+  std::string body;         ///< a function's `{ ... }`
+  unit* where = nullptr;
+  std::pair<unsigned, unsigned> declared_at;  ///< place in the header: offset, then rank
+  unsigned defined_at = 0;                    ///< offset of a function's body's declaration
+  std::vector<std::pair<const entity*, clang::SourceLocation>> needs;
+  std::set<std::string> sizes;                  ///< size macros that the text names
+  std::map<std::string, std::string> bindings;  ///< size macros of what it calls, and their values
+  clang::SourceLocation location;
+  bool sized = false;  ///< depends on a size macro, itself or through what it needs
+  [[nodiscard]] bool is_function() const { return !body.empty(); }
+};
+
+/// A macro through which a shader picks a template's size.
+struct size_macro {
+  std::string value;                                            ///< the default
+  std::vector<std::pair<std::string, std::string>> conditions;  ///< static_asserts over it: condition, message
+};
+
+/// A cell or a span of cells that the shader provides.
+struct cell {
+  std::string call;  ///< how the mirror writes it: MACRO or MACRO(i)
+  std::string doc;
+};
+
+/// One header and the .glsl that mirrors it.
+struct unit {
+  std::string header;     ///< as a program includes it: pelage/order/k_buffer.hpp
+  std::string path;       ///< below the output folder: order/k_buffer.glsl
+  std::string include;    ///< how others include it where `path` will not do: library files seen from a user's
+  std::string doc;        ///< what the header says above its namespace
+  bool mirrored = false;  ///< already there: a library header seen from a user's
+  std::string mirror_text;
+  std::vector<const entity*> entities;
+  std::map<std::string, size_macro> sizes;
+  std::map<std::string, cell> cells;
+  bool uses_atomics = false;
+  bool uses_int64 = false;
+  bool uses_atomic_int64 = false;
+};
+
+/// The whole text of one .glsl, formatted.
+[[nodiscard]] std::string file_text(const unit& u, problems& found);
+
+/// The text of the file that every file with atomics includes, and its path below the output folder.
+[[nodiscard]] std::string memory_order_text();
+inline constexpr const char* memory_order_path = "core/memory_order.glsl";
+
+/// The header that holds every file's text, includes resolved: path and text of each, dependencies first.
+[[nodiscard]] std::string strings_header(const std::vector<std::pair<std::string, std::string>>& files);
+
+}  // namespace pelage::codegen

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "names.hpp"
+
+#include <clang/AST/DeclCXX.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace pelage::codegen {
+
+namespace {
+
+std::set<std::string> words(const char* text) {
+  std::istringstream in(text);
+  std::set<std::string> all;
+  for (std::string word; in >> word;)
+    all.insert(word);
+  return all;
+}
+
+/// GLSL 4.60 §3.6, keywords and words reserved for later, as far as C++ lets one use them as a name.
+const std::set<std::string>& reserved() {
+  static const std::set<std::string> all = words(R"(
+    uniform buffer in out inout attribute varying shared centroid flat smooth noperspective patch sample invariant
+    precise coherent restrict readonly writeonly subroutine layout discard highp mediump lowp precision demote
+    vec2 vec3 vec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 bvec2 bvec3 bvec4 dvec2 dvec3 dvec4 uint
+    mat2 mat3 mat4 mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3 mat4x4
+    dmat2 dmat3 dmat4 atomic_uint sampler samplerShadow sampler1D sampler2D sampler3D samplerCube sampler2DArray
+    sampler2DShadow samplerBuffer image1D image2D image3D imageCube image2DArray imageBuffer texture1D texture2D
+    texture3D textureCube textureBuffer subpassInput common partition active resource superp asm input output
+    hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 half fixed filter sizeof cast interface external noinline row_major
+    packed sampler2DRect sampler3DRect sampler2DMS image2DMS int64_t uint64_t float16_t float64_t main self)");
+  return all;
+}
+
+/// GLSL 4.60 §8: a local of such a name would hide the function from the calls that the translation makes.
+const std::set<std::string>& functions() {
+  static const std::set<std::string> all = words(R"(
+    radians degrees sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh pow exp log exp2 log2 sqrt
+    inversesqrt abs sign floor trunc round roundEven ceil fract mod modf min max clamp mix step smoothstep isnan
+    isinf floatBitsToInt floatBitsToUint intBitsToFloat uintBitsToFloat fma frexp ldexp packUnorm2x16
+    packSnorm2x16 packUnorm4x8 packSnorm4x8 unpackUnorm2x16 unpackSnorm2x16 unpackUnorm4x8 unpackSnorm4x8
+    packHalf2x16 unpackHalf2x16 packDouble2x32 unpackDouble2x32 length distance dot cross normalize ftransform
+    faceforward reflect refract matrixCompMult outerProduct transpose determinant inverse lessThan lessThanEqual
+    greaterThan greaterThanEqual equal notEqual any all not uaddCarry usubBorrow umulExtended imulExtended
+    bitfieldExtract bitfieldInsert bitfieldReverse bitCount findLSB findMSB texture textureLod textureSize
+    texelFetch textureGather atomicAdd atomicMin atomicMax atomicAnd atomicOr atomicXor atomicExchange
+    atomicCompSwap atomicLoad atomicStore imageLoad imageStore imageSize dFdx dFdy fwidth noise1 noise2 noise3
+    noise4 barrier memoryBarrier memoryBarrierBuffer memoryBarrierShared memoryBarrierImage groupMemoryBarrier
+    subpassLoad anyInvocation allInvocations)");
+  return all;
+}
+
+}  // namespace
+
+std::string upper(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+  return name;
+}
+
+std::string operator_name(const clang::NamedDecl* d) {
+  const auto* f = llvm::dyn_cast<clang::FunctionDecl>(d);
+  if (f == nullptr || llvm::isa<clang::CXXMethodDecl>(f)) return {};
+  const bool binary = f->getNumParams() == 2;
+  switch (f->getOverloadedOperator()) {
+    case clang::OO_Plus:
+      return binary ? "add" : "";
+    case clang::OO_Minus:
+      return binary ? "subtract" : "negate";
+    case clang::OO_Star:
+      return binary ? "multiply" : "";
+    case clang::OO_Slash:
+      return "divide";
+    default:
+      return {};
+  }
+}
+
+std::string global_name(const clang::NamedDecl* d) {
+  std::string name = d->getDeclName().isIdentifier() ? d->getName().str() : operator_name(d);
+  for (const clang::DeclContext* c = d->getDeclContext(); c != nullptr; c = c->getParent()) {
+    const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(c);
+    const bool silent = space != nullptr && (space->isAnonymousNamespace() || space->isInline());
+    if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(c); named != nullptr && !silent) {
+      name = named->getNameAsString() + "_" + name;
+    }
+  }
+  return name;
+}
+
+std::string bad_name(const std::string& name, bool is_field) {
+  if (name.find("__") != std::string::npos || name.rfind("gl_", 0) == 0) {
+    return "the name `" + name + "` is reserved in GLSL";
+  }
+  if (reserved().count(name) != 0) {
+    return "`" + name + "` is a keyword or a reserved word in GLSL";
+  }
+  if (!is_field && functions().count(name) != 0) {
+    return "`" + name + "` is a built-in function in GLSL";
+  }
+  return {};
+}
+
+std::string builtin_function(const std::string& qualified) {
+  static const std::set<std::string> std_same = words(R"(
+    sqrt abs floor ceil trunc exp exp2 log log2 pow sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
+    isnan isinf fma)");
+  static const std::set<std::string> glm_same = words(R"(
+    sqrt abs floor ceil trunc exp exp2 log log2 pow sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
+    isnan isinf fma inversesqrt sign fract mod min max clamp mix step smoothstep radians degrees length distance
+    dot cross normalize faceforward reflect refract matrixCompMult outerProduct transpose determinant inverse
+    lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual any all roundEven floatBitsToInt
+    floatBitsToUint intBitsToFloat uintBitsToFloat bitCount findLSB findMSB bitfieldReverse)");
+  static const std::map<std::string, std::string> other = {
+      {"std::fabs", "abs"}, {"std::atan2", "atan"}, {"glm::not_", "not"}, {"std::popcount", "bitCount"}};
+  if (const auto found = other.find(qualified); found != other.end()) {
+    return found->second;
+  }
+  const std::string name = qualified.size() > 5 ? qualified.substr(5) : std::string();
+  const bool same = (qualified.rfind("std::", 0) == 0 && std_same.count(name) != 0) ||
+                    (qualified.rfind("glm::", 0) == 0 && glm_same.count(name) != 0);
+  return same ? name : std::string();
+}
+
+}  // namespace pelage::codegen

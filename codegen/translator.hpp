@@ -1,0 +1,181 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "model.hpp"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclTemplate.h>
+#include <clang/AST/ExprCXX.h>
+#include <clang/AST/StmtCXX.h>
+
+#include <llvm/ADT/StringExtras.h>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+
+#include <string>
+#include <vector>
+
+namespace pelage::codegen {
+
+/// A type as GLSL declares it: `float x[4][3]` is the name float and the extents [4][3].
+struct glsl_type {
+  std::string name;
+  std::string extents;
+  [[nodiscard]] std::string text() const { return name + extents; }
+  [[nodiscard]] std::string declare(const std::string& what) const { return name + " " + what + extents; }
+};
+
+/// Where an expression stands. Only a whole one may have an effect; inside another the order of evaluation, which
+/// C++ and GLSL leave open each in its own way, would show.
+enum class position { whole, part };
+
+/// True where a template's integer parameter stands in a statement, which a shader may set otherwise.
+[[nodiscard]] bool has_size(const clang::Stmt* s);
+
+/// Translates definitions into the entities of units. Every instantiation that is reached is translated; two of one
+/// template must come out alike, which proves that no size or type was lost on the way.
+class translator {
+ public:
+  /// The unit for a header's file, or null for one that is not mirrored.
+  using unit_finder = std::function<unit*(clang::FileID)>;
+
+  translator(clang::ASTContext& context, problems& found, unit_finder units)
+      : context_(context), sources_(context.getSourceManager()), found_(found), unit_of_(std::move(units)) {}
+
+  void require_function(const clang::FunctionDecl* f);
+  void require_record(const clang::CXXRecordDecl* r);
+  void require_enum(const clang::EnumDecl* e);
+  void require_constant(const clang::VarDecl* v);
+
+  /// Translates what was required and what that needs in turn, then checks the whole: recursion, overloads that
+  /// became one, sizes seen only once.
+  void finish();
+
+  /// A struct of nothing but spans and pointers says where data lies: it vanishes from signatures.
+  [[nodiscard]] static bool is_storage(const clang::CXXRecordDecl* r);
+
+ private:
+  // declarations.cpp
+  void translate_function(const clang::FunctionDecl* f);
+  void translate_record(const clang::CXXRecordDecl* r);
+  void translate_enum(const clang::EnumDecl* e);
+  void translate_constant(const clang::VarDecl* v);
+  bool begin(const clang::NamedDecl* d);
+  void end(const clang::NamedDecl* d);
+  void need(const clang::NamedDecl* d, clang::SourceLocation where);
+  entity& slot(const clang::NamedDecl* d);
+  std::string parameters(const clang::FunctionDecl* f);
+  void check_alike(const entity& one, const entity& other, clang::SourceLocation where);
+
+  // checks.cpp
+  void check_recursion();
+  void check_overloads();
+  void check_sizes();
+  void mark_sized();
+
+  // types.cpp
+  glsl_type type_of(clang::QualType t, clang::SourceLocation where);
+  static const clang::Expr* without_conversions(const clang::Expr* e);
+  std::string size_expression(const clang::Expr* e);
+  std::string scalar_type(clang::QualType t, clang::SourceLocation where);
+  unsigned count_of(clang::QualType array, clang::QualType& element, clang::SourceLocation where);
+  std::string zero(clang::QualType t, clang::SourceLocation where);
+  bool is_array(clang::QualType t, clang::QualType& element, std::string& extent, clang::SourceLocation where);
+
+  // sizes.cpp
+  std::string size_name(const clang::NonTypeTemplateParmDecl* p, clang::SourceLocation where);
+  void set_templates(const clang::Decl* d);
+  void find_aliases(const clang::FunctionDecl* f);
+  void bind_size(const clang::TemplateDecl* of, unsigned index, const clang::TemplateArgument& value,
+                 const clang::TemplateArgument* written);
+  void bind_sizes(const clang::FunctionDecl* callee, const clang::Expr* call);
+  void bind_sizes(clang::QualType t);
+  void note_sizes(const clang::NamedDecl* owner, const clang::TemplateDecl* pattern,
+                  const clang::TemplateArgumentList& arguments);
+  void record_conditions(const clang::CXXRecordDecl* r, unit& u);
+
+  // expressions.cpp
+  std::string expression(const clang::Expr* e, position at = position::part);
+  std::string literal(const clang::FloatingLiteral* l);
+  std::string literal(const clang::IntegerLiteral* l, clang::QualType as);
+  std::string conversion(const clang::CastExpr* c, position at);
+  std::string reference(const clang::DeclRefExpr* r);
+  std::string member(const clang::MemberExpr* m);
+  std::string initializer_list(const clang::InitListExpr* l);
+  std::string constant(const clang::Expr* e);
+  bool fold(const clang::Expr* e, double& value);
+  std::string unsupported(const clang::Expr* e);
+  std::string reject(clang::SourceLocation where, const std::string& reason);
+
+  // calls.cpp
+  std::string call(const clang::CallExpr* c, position at);
+  std::string operator_call(const clang::CXXOperatorCallExpr* c, position at);
+  std::string library_call(const clang::CallExpr* c, const clang::FunctionDecl* f);
+  std::string construct(const clang::CXXConstructExpr* c);
+  std::string arguments(const clang::FunctionDecl* f, const std::vector<const clang::Expr*>& args,
+                        const clang::Expr* object, const clang::Expr* whole_call, position at);
+
+  // storage.cpp
+  bool storage_expression(const clang::Expr* e, std::string& text, position at);
+  std::string atomic(const clang::CallExpr* c, const clang::Expr* reference, const std::string& name, unsigned first,
+                     position at);
+  std::string cell_name(const clang::Expr* e, const std::string& index);
+  bool is_storage_type(clang::QualType t) const;
+
+  // statements.cpp
+  std::string block(const clang::Stmt* s);
+  std::string statement(const clang::Stmt* s);
+  std::string effect(const clang::Expr* e);
+  std::string for_loop(const clang::ForStmt* s);
+  std::string range_loop(const clang::CXXForRangeStmt* s);
+  std::string switch_statement(const clang::SwitchStmt* s);
+  std::string variables(const clang::DeclStmt* s);
+  std::string variable(const clang::VarDecl* v);
+  static bool names_constant(const clang::VarDecl* v);
+  std::string local_name(const clang::ValueDecl* v);
+  std::string sequence(clang::Stmt::const_child_range statements, clang::SourceLocation end);
+
+  // comments.cpp
+  std::string doc_above(clang::SourceLocation declaration);
+  std::string doc_beside(clang::SourceLocation declaration);
+  void read_comments(const clang::Stmt* body);
+  std::string comments_before(unsigned offset, unsigned& line);
+  std::string comment_beside(clang::SourceLocation end);
+  unsigned offset(clang::SourceLocation l) const { return sources_.getFileOffset(sources_.getExpansionLoc(l)); }
+  unsigned line(clang::SourceLocation l) const { return sources_.getExpansionLineNumber(l); }
+
+  struct comment {
+    unsigned offset;
+    unsigned line;
+    unsigned last_line;
+    std::string text;
+  };
+
+  clang::ASTContext& context_;
+  clang::SourceManager& sources_;
+  problems& found_;
+  unit_finder unit_of_;
+
+  std::map<const clang::Decl*, std::unique_ptr<entity>> entities_;  ///< by the pattern's canonical declaration
+  std::set<const clang::Decl*> required_;                           ///< instantiations seen
+  std::deque<std::function<void()>> waiting_;
+  std::map<std::string, std::set<std::string>> sizes_seen_;  ///< arguments of each template with a size
+  std::map<std::string, clang::SourceLocation> size_places_;
+
+  // Of the definition in hand.
+  std::unique_ptr<entity> fresh_;
+  std::vector<const clang::TemplateDecl*> templates_;  ///< enclosing ones, outermost first
+  std::vector<std::pair<std::string, llvm::APSInt>> size_values_;
+  std::map<std::string, std::string> aliases_;  ///< sizes of a function that are a parameter's sizes
+  bool in_storage_ = false;
+  bool arithmetic_ = false;  ///< floating-point arithmetic seen
+  std::set<std::string> locals_;
+  std::map<const clang::ValueDecl*, std::string> renamed_;
+  std::vector<comment> comments_;
+  std::size_t next_comment_ = 0;
+};
+
+}  // namespace pelage::codegen

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <utility>
+
+namespace rejected {
+
+int jump(int x) noexcept {
+  if (x > 0) goto end;  // error: goto and labels
+  x = -x;
+end:  // error: goto and labels
+  return x;
+}
+
+int throws(int x) {
+  if (x < 0) throw 1;  // error: exceptions
+  return x;
+}
+
+int tries(int x) noexcept {
+  try {  // error: exceptions
+    return x;
+  } catch (...) {
+    return 0;
+  }
+}
+
+int in_if(int x) noexcept {
+  if (const int y = x; y > 0) {  // error: declaration inside `if`
+    return y;
+  }
+  return 0;
+}
+
+int in_while(int x) noexcept {
+  while (const int y = x) {  // error: declaration inside `while`
+    x = y - 1;
+  }
+  return x;
+}
+
+int remembers(int x) noexcept {
+  static int seen = 0;  // error: static local variable
+  seen += x;
+  return seen;
+}
+
+int taken_apart(int x) noexcept {
+  const auto [a, b] = std::pair<int, int>{x, x};  // error: structured binding
+  return a + b;
+}
+
+int another_name(int x) noexcept {
+  int& y = x;  // error: local reference: make a copy, or name the place each time
+  y += 1;
+  return x;
+}
+
+int local_type(int x) noexcept {
+  struct inner {  // error: local type
+    int y;
+  };
+  return inner{x}.y;
+}
+
+int cases(int x) noexcept {
+  switch (x) {
+    case 1 ... 3: return 1;  // error: range of cases
+    default: return 0;
+  }
+}
+
+int rest(int a, int b) noexcept {
+  a %= b;  // error: % on signed integers
+  return a % b;  // error: % on signed integers
+}
+
+}  // namespace rejected

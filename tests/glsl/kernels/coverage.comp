@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define STRIDE 16u
+#define RESULTS 30u
+#include "table.glsl"
+
+#include "pelage/glsl/coverage/closest_points.glsl"
+#include "pelage/glsl/coverage/disc_strip.glsl"
+#include "pelage/glsl/coverage/line_width.glsl"
+#include "pelage/glsl/coverage/ray_cone.glsl"
+#include "pelage/glsl/coverage/segment_quad.glsl"
+
+void main() {
+  if (outside()) return;
+  const vec3 origin = v3(0u);
+  const vec3 direction = v3(3u);
+  const vec3 start = v3(6u);
+  const vec3 end = v3(9u);
+  const pelage_closest_pair pair = pelage_closest_points(origin, direction, start, end);
+  put(0u, pair.along_ray);
+  put(1u, pair.along_segment);
+  put(2u, pair.distance);
+  const float radius = f(12u);
+  const float disc = f(13u);
+  put(3u, pelage_cap_share(f(14u)));
+  put(4u, pelage_disc_strip_share(f(14u), radius, disc));
+  put(5u, pelage_diagonal_ratio(start.xy));
+  put(6u, pelage_line_width_share(start.xy, radius, disc));
+  const pelage_ray_cone cone = pelage_perspective_cone(f(15u), 1080);
+  const pelage_ray_cone cylinder = pelage_orthographic_cone(f(15u), 512);
+  put(7u, cone.slope);
+  put(8u, cylinder.base);
+  put(9u, pelage_radius_at(cone, f(14u)));
+  put(10u, pelage_reach_at(f(14u), radius, cone, 2.0));
+  put(11u, pelage_any_normal(normalize(direction)));
+  const pelage_segment_quad quad = pelage_expand_segment(start, end, radius, cone, 0.1, 2.0);
+  put(14u, quad.visible);
+  put(15u, quad.corner[0]);
+  put(18u, quad.corner[1]);
+  put(21u, quad.corner[2]);
+  put(24u, quad.corner[3]);
+  put(27u, cone.base);
+  put(28u, cylinder.slope);
+  put(29u, pelage_tangent_stretch(0.5 * f(14u)));
+}

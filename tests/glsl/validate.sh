@@ -1,0 +1,110 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Pelage authors
+# SPDX-License-Identifier: MIT
+# validate.sh INCLUDE_DIR: every file of the mirror compiles for Vulkan 1.2 and for OpenGL 4.5, passes spirv-val and
+# is free of warnings; the whole of it stands in one shader, and an error names what a shader forgot to define.
+set -euo pipefail
+include=$(cd "$1" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+mapfile -t files < <(cd "$include" && find pelage/glsl -name '*.glsl' | sort)
+((${#files[@]})) || { echo "no mirror under $include" >&2; exit 1; }
+
+# shader FILE...: a shader that includes them, with everything that any of them asks a shader to define.
+shader() {
+  cat <<'END'
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#ifdef VULKAN
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+#extension GL_EXT_shader_atomic_int64 : require
+#else
+#extension GL_ARB_gpu_shader_int64 : require
+#extension GL_NV_shader_atomic_int64 : enable
+#endif
+#include "pelage/glsl/core/fragment.glsl"
+layout(local_size_x = 8) in;
+layout(std430, binding = 0) coherent buffer a { uint words[]; };
+layout(std430, binding = 1) coherent buffer b { pelage_fragment fragments[]; };
+layout(std430, binding = 2) coherent buffer c { uint64_t wide[]; };
+layout(std430, binding = 3) coherent buffer d { uint one; uint other; };
+END
+  # Cells by the type that their descriptions in the mirror give; what is no array of words is listed here.
+  grep -rhoE '^#error .*: define PELAGE_[A-Z0-9_]+(\(i\))?' "$include/pelage/glsl" | grep -oE 'PELAGE_[A-Z0-9_]+(\(i\))?' |
+    sort -u | while read -r cell; do
+    case $cell in
+      *NODES\(i\)) echo "#define $cell fragments[i]" ;;
+      *KEYS\(i\) | *KEY\(i\)) echo "#define $cell wide[i]" ;;
+      *\(i\)) echo "#define $cell words[i]" ;;
+      *_SIZE) echo "#define $cell 64" ;;
+      *) echo "#define $cell one" ;;
+    esac
+  done
+  printf '#include "%s"\n' "$@"
+  echo 'void main() {}'
+}
+
+status=0
+check() {
+  local name=$1 source=$scratch/$2.comp
+  if ! glslangValidator -I"$include" -V --target-env vulkan1.2 "$source" -o "$scratch/out.spv" >"$scratch/log" 2>&1 ||
+    ! spirv-val --target-env vulkan1.2 "$scratch/out.spv" >>"$scratch/log" 2>&1 ||
+    ! glslangValidator -I"$include" -l "$source" >>"$scratch/log" 2>&1 ||
+    ! glslc -Werror -I "$include" --target-env=vulkan1.2 "$source" -o "$scratch/out.spv" >>"$scratch/log" 2>&1; then
+    echo "$name is not valid:" >&2
+    cat "$scratch/log" >&2
+    status=1
+  elif grep -i warning "$scratch/log" >&2; then
+    echo "$name gives a warning" >&2
+    status=1
+  fi
+}
+for file in "${files[@]}"; do
+  shader "$file" >"$scratch/one.comp"
+  check "$file" one
+done
+shader "${files[@]}" >"$scratch/all.comp"
+check "all of the mirror in one shader" all
+
+# said NAME TEXT: compiling what stdin holds fails, and the compiler says TEXT.
+said() {
+  cat >"$scratch/wrong.comp"
+  if glslc -I "$include" --target-env=vulkan1.2 "$scratch/wrong.comp" -o "$scratch/out.spv" >"$scratch/log" 2>&1 ||
+    ! tr -d ' ' <"$scratch/log" | grep -qF "${2// /}"; then  # glslang prints an #error word by word
+    echo "$1: the compiler does not say: $2" >&2
+    cat "$scratch/log" >&2
+    status=1
+  fi
+}
+head='#version 450
+#extension GL_GOOGLE_include_directive : require'
+said 'cells that are not defined' 'define PELAGE_ATOMIC_LIST_STORAGE_LINKS(i) before the include' <<END
+$head
+#include "pelage/glsl/order/a_buffer.glsl"
+void main() {}
+END
+said 'a second size without a prefix' 'PELAGE_K_BUFFER_K_has_one_value_in_a_shader' <<END
+$head
+#define PELAGE_K_BUFFER_K 4
+#include "pelage/glsl/order/k_buffer.glsl"
+#undef PELAGE_K_BUFFER_K
+#define PELAGE_K_BUFFER_K 8
+#include "pelage/glsl/order/k_buffer.glsl"
+void main() {}
+END
+said 'a size that another file has chosen' 'PELAGE_SORT_NETWORK_K is in use with another value' <<END
+$head
+#define PELAGE_SORT_NETWORK_K 4
+#include "pelage/glsl/order/sorting_network.glsl"
+#include "pelage/glsl/order/k_buffer.glsl"
+void main() {}
+END
+said 'a size out of range' 'K must be in [1, 64]' <<END
+$head
+#define PELAGE_K_BUFFER_K 65
+#include "pelage/glsl/order/k_buffer.glsl"
+void main() {}
+END
+((status)) || echo "${#files[@]} files of the mirror are valid GLSL, alone and together"
+exit $status
