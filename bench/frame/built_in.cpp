@@ -132,8 +132,7 @@ vec3 combing(vec3 root, vec3 normal) {
   const float side = root.x < parting_x ? -1.0F : 1.0F;
   const float parting_z = std::clamp(root.z, whorl_z, parting_front_z);
   const vec3 away(root.x - parting_x, 0.0F, root.z - parting_z);
-  const vec3 direction =
-      unit_or(away, vec3(side, 0.0F, 0.0F)) + vec3(0.0F, 0.0F, -0.45F * smooth(0.0F, 0.8F, root.z));
+  const vec3 direction = unit_or(away, vec3(side, 0.0F, 0.0F)) + vec3(0.0F, 0.0F, -0.45F * smooth(0.0F, 0.8F, root.z));
   return unit_or(direction - normal * glm::dot(direction, normal), vec3(side, 0.0F, 0.0F));
 }
 
@@ -208,11 +207,10 @@ lock make_lock(std::uint64_t seed, std::size_t index) {
 
 std::vector<lock> make_locks(std::uint64_t seed) {
   std::vector<lock> locks(lock_count);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lock_count),
-                    [&](const tbb::blocked_range<std::size_t>& r) {
-                      for (std::size_t i = r.begin(); i != r.end(); ++i)
-                        locks[i] = make_lock(seed, i);
-                    });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lock_count), [&](const tbb::blocked_range<std::size_t>& r) {
+    for (std::size_t i = r.begin(); i != r.end(); ++i)
+      locks[i] = make_lock(seed, i);
+  });
   return locks;
 }
 
@@ -307,8 +305,7 @@ void make_strand(hair_model& model, const std::vector<lock>& locks, std::uint64_
 }  // namespace
 
 hair_model make_built_in(std::uint32_t strands, std::uint32_t segments_per_strand, std::uint64_t seed) {
-  if (segments_per_strand == 0)
-    throw std::invalid_argument("a strand of the built-in hair has 1 segment or more");
+  if (segments_per_strand == 0) throw std::invalid_argument("a strand of the built-in hair has 1 segment or more");
   const std::uint64_t points_per_strand = std::uint64_t{segments_per_strand} + 1;
   if (strands > std::numeric_limits<std::uint32_t>::max() / points_per_strand) {
     throw std::length_error("the built-in hair would have more than 2^32 - 1 points");
@@ -326,12 +323,11 @@ hair_model make_built_in(std::uint32_t strands, std::uint32_t segments_per_stran
     model.first_point[s] = s * per_strand;
 
   const std::vector<lock> locks = make_locks(seed);
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, strands, 64),
-                    [&](const tbb::blocked_range<std::uint32_t>& r) {
-                      for (std::uint32_t s = r.begin(); s != r.end(); ++s) {
-                        make_strand(model, locks, seed, s, {std::size_t{s} * per_strand, per_strand});
-                      }
-                    });
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, strands, 64), [&](const tbb::blocked_range<std::uint32_t>& r) {
+    for (std::uint32_t s = r.begin(); s != r.end(); ++s) {
+      make_strand(model, locks, seed, s, {std::size_t{s} * per_strand, per_strand});
+    }
+  });
   return model;
 }
 

@@ -17,7 +17,6 @@ namespace pelage::frame {
 /// The model depends on the three arguments alone: the same bits on any number of threads. strands = 0 gives
 /// an empty model. Throws std::invalid_argument for segments_per_strand = 0, and std::length_error where the
 /// points would not fit 32-bit indices. O(strands * segments), parallel over strands.
-[[nodiscard]] hair_model make_built_in(std::uint32_t strands, std::uint32_t segments_per_strand,
-                                       std::uint64_t seed);
+[[nodiscard]] hair_model make_built_in(std::uint32_t strands, std::uint32_t segments_per_strand, std::uint64_t seed);
 
 }  // namespace pelage::frame

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <array>
 #include <glm/glm.hpp>
+#include <array>
 #include <optional>
 
 #include "frame/ellipsoid.hpp"

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cmath>
 #include <glm/glm.hpp>
+#include <cmath>
 #include <optional>
 #include <span>
 

@@ -21,11 +21,14 @@ using clock = std::chrono::steady_clock;
 
 constexpr float largest = 1e12F;  ///< lengths that a frame takes
 
-double seconds_since(clock::time_point start) { return std::chrono::duration<double>(clock::now() - start).count(); }
+double seconds_since(clock::time_point start) {
+  return std::chrono::duration<double>(clock::now() - start).count();
+}
 
 void check(const frame_settings& s) {
   const auto in_range = [](int n) { return n >= 1 && n <= 16384; };
-  if (!in_range(s.width) || !in_range(s.height)) throw std::invalid_argument("the picture's sides must be in [1, 16384]");
+  if (!in_range(s.width) || !in_range(s.height))
+    throw std::invalid_argument("the picture's sides must be in [1, 16384]");
   if (s.map_size != 0 && (s.map_size == 1 || !in_range(s.map_size))) {
     throw std::invalid_argument("the map's side must be 0 or in [2, 16384]");
   }
@@ -62,7 +65,8 @@ std::vector<std::uint32_t> drawing_order(std::uint32_t segments, std::uint64_t s
   std::vector<std::uint32_t> order(segments);
   std::iota(order.begin(), order.end(), 0U);
   random_stream random(seed, 0);
-  for (std::uint32_t i = segments; i > 1; --i) std::swap(order[i - 1], order[random.next() % i]);
+  for (std::uint32_t i = segments; i > 1; --i)
+    std::swap(order[i - 1], order[random.next() % i]);
   return order;
 }
 
@@ -81,7 +85,8 @@ solids opaque_objects(const hair_model& model, const box& bounds, const sphere& 
   } else if (!bounds.empty()) {
     if (const auto head = fit_head(model)) s.parts.push_back(*head);
     float lowest = bounds.lower.y;
-    for (const ellipsoid& part : s.parts) lowest = std::min(lowest, part.centre.y - part.radii.y);
+    for (const ellipsoid& part : s.parts)
+      lowest = std::min(lowest, part.centre.y - part.radii.y);
     s.floor = lowest - 0.02F * (bounds.upper.y - bounds.lower.y);
   }
   return s;
@@ -152,16 +157,19 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const order_options options{settings.order, settings.k, order};
 
   frame_result result;
-  scene world{fibres, opaque_objects(model, bounds, round, settings.on_bust), {}, round, glm::vec3(0.62F, 0.66F, 0.72F), {}};
+  scene world{fibres, opaque_objects(model, bounds, round, settings.on_bust), {}, round, glm::vec3(0.62F, 0.66F, 0.72F),
+              {}};
   const glm::vec2 from = settings.from ? *settings.from : best_side(world.opaque, round, settings.on_bust);
   const std::vector<light> lights = settings.lights.empty() ? studio(from.x) : settings.lights;
-  const int texels = settings.map_size != 0 ? settings.map_size : std::clamp(std::max(settings.width, settings.height), 2, 2048);
+  const int texels =
+      settings.map_size != 0 ? settings.map_size : std::clamp(std::max(settings.width, settings.height), 2, 2048);
   const double passes = static_cast<double>(lights.size() + 1);
 
   // A map keeps pointers to its raster and view for its depths; they live as long as the scene.
   std::vector<std::unique_ptr<view>> views;
   std::vector<std::unique_ptr<raster>> rasters;
-  for (const light& relative : lights) (void)light_view(place_light(relative, round), round, texels);
+  for (const light& relative : lights)
+    (void)light_view(place_light(relative, round), round, texels);
   for (const light& relative : lights) {
     lit l{place_light(relative, round), nullptr};
     if (has_shadows(settings.shown)) {
@@ -170,7 +178,8 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
       const clock::time_point pass_start = clock::now();
       views.push_back(std::make_unique<view>(light_view(l.source, round, texels)));
       rasters.push_back(std::make_unique<raster>(fibres, *views.back(), true));
-      l.shadow = std::make_unique<shadow_map>(*rasters.back(), world.opaque, settings.k, has_translucency(settings.shown));
+      l.shadow =
+          std::make_unique<shadow_map>(*rasters.back(), world.opaque, settings.k, has_translucency(settings.shown));
       const double prepared = seconds_since(pass_start);
       const order_report report = run_order_pass(*rasters.back(), l.shadow->limit(), options, *l.shadow);
       result.passes.push_back({name, prepared, report, l.shadow->bytes()});

@@ -15,22 +15,23 @@
 namespace pelage::frame {
 
 /// What to draw and how. A model and its settings determine the picture, bit for bit: neither the number of threads,
-/// nor the drawing order, nor the choice among k_buffer, a_buffer and ordered_list changes it.
+/// nor the drawing order, nor the choice among k_buffer, a_buffer, ordered_list and
+/// atomic_k_buffer changes it.
 struct frame_settings {
-  int width = 640;                               ///< pixels, [1, 16384]
+  int width = 640;  ///< pixels, [1, 16384]
   int height = 640;
-  int map_size = 0;                              ///< texels a side of each light's map, [2, 16384]; 0: the picture's larger side, at most 2048
+  int map_size = 0;  ///< texels a side of each light's map, [2, 16384]; 0: the picture's larger side, at most 2048
   order_method order = order_method::k_buffer;
-  std::uint32_t k = 16;                          ///< one of compiled_k
+  std::uint32_t k = 16;  ///< one of compiled_k
   components shown = components::full;
   bool antialias = true;
-  std::vector<light> lights;                     ///< relative to the scene; empty: two that go with the camera
-  float opacity = -1.0F;                         ///< of all fibres, [0, 1]; negative: the model's own
-  float fibre_radius = -1.0F;                    ///< of all fibres, length units, [0, inf); negative: the model's own
-  std::uint64_t shuffle = 0;                     ///< seed of the drawing order; 0: the model's order
-  std::optional<glm::vec2> from;                 ///< where the camera stands: azimuth from +z toward +x and elevation,
-                                                 ///< degrees, elevation in (-90, 90); none: where the hair is seen best
-  bool on_bust = false;                          ///< the opaque object is the built-in bust, not a sphere that fits
+  std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera
+  float opacity = -1.0F;          ///< of all fibres, [0, 1]; negative: the model's own
+  float fibre_radius = -1.0F;     ///< of all fibres, length units, [0, inf); negative: the model's own
+  std::uint64_t shuffle = 0;      ///< seed of the drawing order; 0: the model's order
+  std::optional<glm::vec2> from;  ///< where the camera stands: azimuth from +z toward +x and elevation,
+                                  ///< degrees, elevation in (-90, 90); none: where the hair is seen best
+  bool on_bust = false;           ///< the opaque object is the built-in bust, not a sphere that fits
 };
 
 /// One pass over the fibres: a light's map or the camera's picture.
@@ -38,7 +39,7 @@ struct pass_report {
   std::string name;
   double prepare_seconds;  ///< projection of all points
   order_report order;
-  std::uint64_t bytes;     ///< of the map or picture that it made
+  std::uint64_t bytes;  ///< of the map or picture that it made
 };
 
 struct frame_result {

@@ -39,8 +39,7 @@ void check_range(const input_file& file, std::span<const float> values, std::uin
                  const std::string& what) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] >= allowed.lower && values[i] <= allowed.upper) continue;
-    file.fail(offset + i * sizeof(float),
-              what + (values[i] < allowed.lower ? " is negative" : " is above 1"));
+    file.fail(offset + i * sizeof(float), what + (values[i] < allowed.lower ? " is negative" : " is above 1"));
   }
 }
 
@@ -51,8 +50,7 @@ float read_in_range(input_file& file, range allowed, const std::string& what) {
   return value;
 }
 
-std::vector<float> read_in_range(input_file& file, std::uint64_t count, range allowed,
-                                 const std::string& what) {
+std::vector<float> read_in_range(input_file& file, std::uint64_t count, range allowed, const std::string& what) {
   const std::uint64_t offset = file.offset();
   std::vector<float> values = file.read_floats(count, what);
   check_range(file, values, offset, allowed, what);
@@ -68,8 +66,8 @@ void check_colours(const input_file& file, std::span<const glm::vec3> colours, s
 }
 
 /// Fills first_point; the array of segment counts, if any, begins at the cursor.
-void read_strands(input_file& file, hair_model& model, std::uint32_t strands, std::uint32_t points,
-                  std::uint32_t flags, std::uint32_t default_segments) {
+void read_strands(input_file& file, hair_model& model, std::uint32_t strands, std::uint32_t points, std::uint32_t flags,
+                  std::uint32_t default_segments) {
   constexpr std::uint64_t point_count_offset = 8;
   constexpr std::uint64_t default_segments_offset = 16;
 

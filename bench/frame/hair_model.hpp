@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <glm/glm.hpp>
-#include <limits>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pelage::frame {
@@ -22,9 +22,8 @@ struct box {
 /// A strand of 0 or 1 points is legal and has no segments. The per-point arrays are either empty, and then
 /// the default holds for every point, or as long as `points`. Lengths are in the model's own units.
 struct hair_model {
-  std::vector<glm::vec3> points;  ///< finite
-  std::vector<std::uint32_t> first_point{
-      0};  ///< strand_count() + 1 entries, never falling, from 0 to points.size()
+  std::vector<glm::vec3> points;              ///< finite
+  std::vector<std::uint32_t> first_point{0};  ///< strand_count() + 1 entries, never falling, from 0 to points.size()
 
   std::vector<float> thickness;     ///< a fibre's diameter at a point, [0, +inf)
   std::vector<float> transparency;  ///< 0 is opaque, 1 invisible, [0, 1]

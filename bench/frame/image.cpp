@@ -108,12 +108,13 @@ std::vector<std::byte> encode_png(const image& picture) {
     for (int x = 0; x < picture.width; ++x) {
       const glm::vec3 p = picture.at(x, y);
       if (!is_finite(p)) fail("pixel " + std::to_string(x) + ", " + std::to_string(y) + " is not finite");
-      for (int c = 0; c < 3; ++c) encoded.push_back(encode_srgb(p[c]));
+      for (int c = 0; c < 3; ++c)
+        encoded.push_back(encode_srgb(p[c]));
     }
   }
   std::vector<std::byte> png;
-  if (stbi_write_png_to_func(append_bytes, &png, picture.width, picture.height, 3, encoded.data(),
-                             picture.width * 3) == 0) {
+  if (stbi_write_png_to_func(append_bytes, &png, picture.width, picture.height, 3, encoded.data(), picture.width * 3) ==
+      0) {
     fail("the picture cannot be encoded");
   }
   return png;
@@ -138,8 +139,7 @@ image load_png(const std::filesystem::path& path) {
   int width = 0;
   int height = 0;
   int channels = 0;
-  if (size == 0 || stbi_info_from_memory(data, size, &width, &height, &channels) == 0)
-    file.fail(0, "not a PNG");
+  if (size == 0 || stbi_info_from_memory(data, size, &width, &height, &channels) == 0) file.fail(0, "not a PNG");
   if (!ends_as_png(file.bytes())) file.fail(file.size(), "the PNG does not end with its end marker");
 
   // A deflate stream grows to at most 1032 times its size, and a pixel takes at least one bit.

@@ -20,8 +20,7 @@ namespace pelage::frame {
 
 namespace fs = std::filesystem;
 
-static_assert(std::endian::native == std::endian::little,
-              "input_file copies little-endian values as they are");
+static_assert(std::endian::native == std::endian::little, "input_file copies little-endian values as they are");
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::vec4) == 16, "input_file needs unpadded GLM vectors");
 
 namespace {
@@ -47,8 +46,7 @@ std::vector<std::byte> whole_file(const fs::path& path, const std::string& name)
 }  // namespace
 
 input_error::input_error(std::string_view file, std::uint64_t offset_, std::string_view fault)
-    : std::runtime_error(std::string(file) + ": offset " + std::to_string(offset_) + ": " +
-                         std::string(fault)),
+    : std::runtime_error(std::string(file) + ": offset " + std::to_string(offset_) + ": " + std::string(fault)),
       offset(offset_) {
 }
 
@@ -137,8 +135,7 @@ T input_file::read_one(std::string_view what) {
   return read_array<T>(1, what).front();
 }
 
-void input_file::check_finite(std::span<const float> values, std::uint64_t first_offset,
-                              std::string_view what) const {
+void input_file::check_finite(std::span<const float> values, std::uint64_t first_offset, std::string_view what) const {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i])) continue;
     const std::string_view kind = std::isnan(values[i]) ? " is not a number" : " is infinite";

@@ -15,11 +15,11 @@ enum class light_kind { directional, point, spot };
 /// A light of the scene.
 struct light {
   light_kind kind;
-  glm::vec3 position;    ///< of point and spot lights, in radii of the scene round its centre
-  glm::vec3 direction;   ///< unit, the way that directional and spot light travels
-  glm::vec3 colour;      ///< linear RGB irradiance at the scene's centre
-  float cos_outer = 0;   ///< spot: cosine of the half angle where it ends,
-  float cos_inner = 0;   ///< and where it begins to fade
+  glm::vec3 position;   ///< of point and spot lights, in radii of the scene round its centre
+  glm::vec3 direction;  ///< unit, the way that directional and spot light travels
+  glm::vec3 colour;     ///< linear RGB irradiance at the scene's centre
+  float cos_outer = 0;  ///< spot: cosine of the half angle where it ends,
+  float cos_inner = 0;  ///< and where it begins to fade
 };
 
 /// What arrives at a point from a light, shadows apart.

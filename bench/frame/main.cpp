@@ -33,6 +33,7 @@ using namespace pelage::frame;
 const std::map<std::string, order_method> order_names{{"k_buffer", order_method::k_buffer},
                                                       {"a_buffer", order_method::a_buffer},
                                                       {"ordered_list", order_method::ordered_list},
+                                                      {"atomic_k_buffer", order_method::atomic_k_buffer},
                                                       {"selection_sort", order_method::selection_sort},
                                                       {"full_sort", order_method::full_sort}};
 const std::map<std::string, components> component_names{{"single", components::single},
@@ -43,7 +44,8 @@ const std::map<std::string, components> component_names{{"single", components::s
 template <class Value>
 std::vector<std::string> names(const std::map<std::string, Value>& all) {
   std::vector<std::string> list;
-  for (const auto& [name, value] : all) list.push_back(name);
+  for (const auto& [name, value] : all)
+    list.push_back(name);
   return list;
 }
 
@@ -76,12 +78,15 @@ void parse(CLI::App& app, command_line& c, int argc, char** argv) {
       ->check(CLI::Range(0.0, 1e12))
       ->needs(hair);
   app.add_option("--strands", c.strands, "of the built-in model")->excludes(hair)->capture_default_str();
-  app.add_option("--segments", c.segments, "of each strand of the built-in model")->excludes(hair)->capture_default_str();
+  app.add_option("--segments", c.segments, "of each strand of the built-in model")
+      ->excludes(hair)
+      ->capture_default_str();
   app.add_option("--seed", c.seed, "of the built-in model and of follow strands")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--size", c.size, "WIDTHxHEIGHT or SIDE, pixels")->capture_default_str();
-  app.add_option("--map-size", c.settings.map_size, "side of each light's map, texels; 0: as the picture, at most 2048");
+  app.add_option("--map-size", c.settings.map_size,
+                 "side of each light's map, texels; 0: as the picture, at most 2048");
   app.add_option("--k", c.settings.k, "fragments kept a pixel and texel: 1, 2, 4, 8, 16, 32 or 64")
       ->check(CLI::IsMember({1, 2, 4, 8, 16, 32, 64}))
       ->capture_default_str();
@@ -182,7 +187,7 @@ void show_progress(const std::string& what, double done) {
 
 int fail(const std::string& fault) {
   if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r\033[K");  // over the progress bar
-  fmt::print(stderr, "pelage-frame: {}\n", printable(fault));  // one line, whatever names it has
+  fmt::print(stderr, "pelage-frame: {}\n", printable(fault));      // one line, whatever names it has
   return 2;
 }
 
@@ -203,7 +208,8 @@ void run(command_line& c) {
   c.settings.shown = component_names.at(c.components);
   c.settings.antialias = c.antialias == "on";
   c.settings.on_bust = c.hair.empty();
-  for (const std::string& text : c.lights) c.settings.lights.push_back(parse_light(text));
+  for (const std::string& text : c.lights)
+    c.settings.lights.push_back(parse_light(text));
   if (!c.from.empty()) c.settings.from = glm::vec2(c.from[0], c.from[1]);
   const std::size_t threads = static_cast<std::size_t>(c.threads > 0 ? c.threads : tbb::info::default_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -226,9 +232,9 @@ void run(command_line& c) {
   nlohmann::json report = report_of(c, model, frame);
   report["threads"] = threads;
 
-  std::string said = fmt::format("{}: {} strands, {} segments, {:.2f} s, {:.0f} MB at most\n", printable(out),
-                                 model.strand_count(), model.segment_count(), frame.seconds,
-                                 static_cast<double>(peak_memory()) / 1e6);
+  std::string said =
+      fmt::format("{}: {} strands, {} segments, {:.2f} s, {:.0f} MB at most\n", printable(out), model.strand_count(),
+                  model.segment_count(), frame.seconds, static_cast<double>(peak_memory()) / 1e6);
   results.write(out, encode_png(frame.picture));
   if (other) {
     const image_difference difference = compare(frame.picture, *other);

@@ -3,6 +3,7 @@
 #include "frame/order_pass.hpp"
 
 #include <pelage/order/a_buffer.hpp>
+#include <pelage/order/atomic_k_buffer.hpp>
 #include <pelage/order/k_buffer.hpp>
 #include <pelage/order/ordered_list.hpp>
 #include <tbb/blocked_range.h>
@@ -60,7 +61,9 @@ struct job {
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::uint32_t>& some) {
       for (std::uint32_t i = some.begin(); i < some.end(); ++i) {
         const std::uint32_t segment = drawing_order.empty() ? i : drawing_order[i];
-        for_each_visible(segment, whole, [&](int x, int y, const touch& t) { visit(x, y, fragment{t.depth, segment}); });
+        for_each_visible(segment, whole, [&](int x, int y, const touch& t) {
+          visit(x, y, fragment{t.depth, segment});
+        });
       }
     });
   }
@@ -68,7 +71,8 @@ struct job {
   template <class Visit>
   void for_each_pixel(Visit&& visit) const {
     tbb::parallel_for(0, from.from().height, [&](int y) {
-      for (int x = 0; x < from.from().width; ++x) visit(x, y);
+      for (int x = 0; x < from.from().width; ++x)
+        visit(x, y);
     });
   }
 
@@ -178,6 +182,14 @@ struct list_memory {
   [[nodiscard]] std::uint32_t list(const job& work, int x, int y) const {
     return static_cast<std::uint32_t>(work.pixel(x, y));
   }
+
+  /// The fragments of a list that a_buffer::push() built.
+  template <class Visit>
+  void for_each(std::uint32_t list, Visit&& visit) const {
+    for (std::uint32_t node = a_buffer::first(lists, list); node != no_node(); node = a_buffer::next(lists, node)) {
+      visit(lists.read_node(node));
+    }
+  }
 };
 
 /// Pushes every fragment to its pixel's list.
@@ -197,11 +209,10 @@ void run_a_buffer(job& work) {
   work.for_each_pixel([&](int x, int y) {
     k_buffer<K> nearest = k_buffer<K>::empty();
     tail behind = empty_tail();
-    std::uint32_t node = a_buffer::first(memory.lists, memory.list(work, x, y));
-    for (; node != no_node(); node = a_buffer::next(memory.lists, node)) {
-      const fragment lost = nearest.insert(memory.lists.read_node(node));
+    memory.for_each(memory.list(work, x, y), [&](fragment f) {
+      const fragment lost = nearest.insert(f);
       if (is_fragment(lost)) work.lose(x, y, lost, behind);
-    }
+    });
     nearest.sort();
     work.visitor.finish(x, y, std::span<const fragment>(nearest.slot).first(nearest.size()), behind);
   });
@@ -232,11 +243,42 @@ void run_ordered_list(job& work) {
     for (; node != no_node(); node = ordered_list::next(memory.lists, node)) {
       work.lose(x, y, memory.lists.read_node(node), behind);
     }
-    node = a_buffer::first(memory.lists, too_far(memory.list(work, x, y)));
-    for (; node != no_node(); node = a_buffer::next(memory.lists, node)) {
-      work.lose(x, y, memory.lists.read_node(node), behind);
-    }
+    memory.for_each(too_far(memory.list(work, x, y)), [&](fragment f) { work.lose(x, y, f, behind); });
     work.visitor.finish(x, y, std::span<const fragment>(nearest).first(held), behind);
+  });
+  work.report.resolve_seconds = watch.lap();
+}
+
+/// The list of a pixel takes what falls out of its slots.
+template <std::uint32_t K>
+void run_atomic_k_buffer(job& work) {
+  if (work.pixels() > 0xffffffffU / K) {
+    throw std::runtime_error("the picture has more slots than can be numbered; use --order k_buffer");
+  }
+  list_memory memory(work, 1);
+  std::vector<std::uint64_t> slots(work.pixels() * K);
+  atomic_slot_storage nearest{slots};
+  nearest.clear();
+  work.report.bytes += slots.size() * sizeof(std::uint64_t);
+  stopwatch watch;
+  work.for_each_fragment([&](int x, int y, fragment f) {
+    const std::uint32_t pixel = memory.list(work, x, y);
+    const fragment lost = atomic_k_buffer::insert<K>(nearest, pixel, f);
+    if (is_fragment(lost)) (void)a_buffer::push(memory.lists, pixel, lost);
+  });
+  work.report.build_seconds = watch.lap();
+  work.report.refused = memory.refused;
+  work.for_each_pixel([&](int x, int y) {
+    const std::uint32_t pixel = memory.list(work, x, y);
+    std::array<fragment, K> sorted{};
+    std::uint32_t held = 0;
+    for (; held < K; ++held) {
+      sorted[held] = atomic_k_buffer::at<K>(nearest, pixel, held);
+      if (!is_fragment(sorted[held])) break;
+    }
+    tail behind = empty_tail();
+    memory.for_each(pixel, [&](fragment f) { work.lose(x, y, f, behind); });
+    work.visitor.finish(x, y, std::span<const fragment>(sorted).first(held), behind);
   });
   work.report.resolve_seconds = watch.lap();
 }
@@ -247,7 +289,9 @@ void selection_sort(std::vector<fragment>& list) {
   }
 }
 
-void library_sort(std::vector<fragment>& list) { std::sort(list.begin(), list.end(), before); }
+void library_sort(std::vector<fragment>& list) {
+  std::sort(list.begin(), list.end(), before);
+}
 
 void run_sort(job& work, void (*sort)(std::vector<fragment>&)) {
   list_memory memory(work, 1);
@@ -258,8 +302,7 @@ void run_sort(job& work, void (*sort)(std::vector<fragment>&)) {
   work.for_each_pixel([&](int x, int y) {
     std::vector<fragment>& all = scratch.local();
     all.clear();
-    std::uint32_t node = a_buffer::first(memory.lists, memory.list(work, x, y));
-    for (; node != no_node(); node = a_buffer::next(memory.lists, node)) all.push_back(memory.lists.read_node(node));
+    memory.for_each(memory.list(work, x, y), [&](fragment f) { all.push_back(f); });
     sort(all);
     work.visitor.finish(x, y, all, empty_tail());
   });
@@ -269,11 +312,18 @@ void run_sort(job& work, void (*sort)(std::vector<fragment>&)) {
 template <std::uint32_t K>
 void run_with_k(job& work, order_method method) {
   switch (method) {
-    case order_method::k_buffer: return run_k_buffer<K>(work);
-    case order_method::a_buffer: return run_a_buffer<K>(work);
-    case order_method::ordered_list: return run_ordered_list<K>(work);
-    case order_method::selection_sort: return run_sort(work, selection_sort);
-    case order_method::full_sort: return run_sort(work, library_sort);
+    case order_method::k_buffer:
+      return run_k_buffer<K>(work);
+    case order_method::a_buffer:
+      return run_a_buffer<K>(work);
+    case order_method::ordered_list:
+      return run_ordered_list<K>(work);
+    case order_method::atomic_k_buffer:
+      return run_atomic_k_buffer<K>(work);
+    case order_method::selection_sort:
+      return run_sort(work, selection_sort);
+    case order_method::full_sort:
+      return run_sort(work, library_sort);
   }
 }
 
@@ -283,14 +333,29 @@ order_report run_order_pass(const raster& from, std::span<const float> limit, co
                             pixel_visitor& visitor) {
   job work{from, limit, options.drawing_order, visitor, {}};
   switch (options.k) {
-    case 1: run_with_k<1>(work, options.method); break;
-    case 2: run_with_k<2>(work, options.method); break;
-    case 4: run_with_k<4>(work, options.method); break;
-    case 8: run_with_k<8>(work, options.method); break;
-    case 16: run_with_k<16>(work, options.method); break;
-    case 32: run_with_k<32>(work, options.method); break;
-    case 64: run_with_k<64>(work, options.method); break;
-    default: throw std::invalid_argument("k must be one of 1, 2, 4, 8, 16, 32, 64");
+    case 1:
+      run_with_k<1>(work, options.method);
+      break;
+    case 2:
+      run_with_k<2>(work, options.method);
+      break;
+    case 4:
+      run_with_k<4>(work, options.method);
+      break;
+    case 8:
+      run_with_k<8>(work, options.method);
+      break;
+    case 16:
+      run_with_k<16>(work, options.method);
+      break;
+    case 32:
+      run_with_k<32>(work, options.method);
+      break;
+    case 64:
+      run_with_k<64>(work, options.method);
+      break;
+    default:
+      throw std::invalid_argument("k must be one of 1, 2, 4, 8, 16, 32, 64");
   }
   return work.report;
 }

@@ -14,11 +14,12 @@ namespace pelage::frame {
 
 /// How the fragments of a pixel are put in order.
 enum class order_method {
-  k_buffer,        ///< the K nearest, built tile by tile as fragments arrive
-  a_buffer,        ///< all fragments in lists that threads build at once, then the K nearest of each
-  ordered_list,    ///< the same with lists that are sorted while they are built
-  selection_sort,  ///< all fragments, each list sorted whole by selection [Yang10]
-  full_sort        ///< all fragments, each list sorted whole by std::sort: the truth
+  k_buffer,         ///< the K nearest, built tile by tile as fragments arrive
+  a_buffer,         ///< all fragments in lists that threads build at once, then the K nearest of each
+  ordered_list,     ///< the same with lists that are sorted while they are built
+  atomic_k_buffer,  ///< the K nearest, built by all threads at once with atomic minima
+  selection_sort,   ///< all fragments, each list sorted whole by selection [Yang10]
+  full_sort         ///< all fragments, each list sorted whole by std::sort: the truth
 };
 
 /// The K that the renderer is compiled for.
@@ -41,19 +42,19 @@ class pixel_visitor {
 
 /// What a pass did and what it took.
 struct order_report {
-  std::uint64_t fragments = 0;   ///< offered
-  std::uint64_t refused = 0;     ///< lost to a NaN depth or a full pool: 0, or the frame is wrong
-  std::uint32_t longest = 0;     ///< fragments of the pixel that has most
-  std::uint64_t bytes = 0;       ///< of the structure, the tiles' lists of segments included
-  double bin_seconds = 0;        ///< cutting the view into tiles, or counting fragments
-  double build_seconds = 0;      ///< fragments to structure, and for k_buffer what becomes of them
-  double resolve_seconds = 0;    ///< structure to what becomes of it; within the build for k_buffer
+  std::uint64_t fragments = 0;  ///< offered
+  std::uint64_t refused = 0;    ///< lost to a NaN depth or a full pool: 0, or the frame is wrong
+  std::uint32_t longest = 0;    ///< fragments of the pixel that has most
+  std::uint64_t bytes = 0;      ///< of the structure, the tiles' lists of segments included
+  double bin_seconds = 0;       ///< cutting the view into tiles, or counting fragments
+  double build_seconds = 0;     ///< fragments to structure, and for k_buffer what becomes of them
+  double resolve_seconds = 0;   ///< structure to what becomes of it; within the build for k_buffer
 };
 
 struct order_options {
   order_method method = order_method::k_buffer;
-  std::uint32_t k = 16;                         ///< one of compiled_k
-  std::span<const std::uint32_t> drawing_order; ///< empty: by number
+  std::uint32_t k = 16;                          ///< one of compiled_k
+  std::span<const std::uint32_t> drawing_order;  ///< empty: by number
 };
 
 /// Draws all segments of a raster. Fragments at or behind `limit` (view depth, one a pixel; or empty) are hidden and

@@ -24,7 +24,8 @@ namespace {
 /// The folders on the way to a path that are not there yet, outermost first.
 std::vector<fs::path> missing_folders(const fs::path& path) {
   std::vector<fs::path> missing;
-  for (fs::path p = path.parent_path(); !p.empty() && !fs::exists(p); p = p.parent_path()) missing.push_back(p);
+  for (fs::path p = path.parent_path(); !p.empty() && !fs::exists(p); p = p.parent_path())
+    missing.push_back(p);
   std::reverse(missing.begin(), missing.end());
   return missing;
 }
@@ -87,8 +88,10 @@ void output_files::commit() {
 
 output_files::~output_files() {
   std::error_code ignored;
-  for (const file& f : files_) fs::remove(f.partial, ignored);
-  for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) fs::remove(*folder, ignored);
+  for (const file& f : files_)
+    fs::remove(f.partial, ignored);
+  for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder)
+    fs::remove(*folder, ignored);
 }
 
 void write_file(const fs::path& path, std::span<const std::byte> bytes) {

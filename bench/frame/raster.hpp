@@ -5,11 +5,11 @@
 #include <pelage/coverage/disc_strip.hpp>
 #include <pelage/coverage/segment_quad.hpp>
 
+#include <glm/glm.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <vector>
 
 #include "frame/strands.hpp"

@@ -70,7 +70,8 @@ camera_film::camera_film(const raster& from, const scene& world, components show
   tbb::parallel_for(0, picture_.height, [&](int y) {
     for (int x = 0; x < picture_.width; ++x) {
       float* depth = sample_depth_.data() + samples * index(x, y);
-      for (int s = 0; s < side_ * side_; ++s) depth[s] = opaque_depth(eye, world_.opaque, sample_position(x, y, s));
+      for (int s = 0; s < side_ * side_; ++s)
+        depth[s] = opaque_depth(eye, world_.opaque, sample_position(x, y, s));
       limit_[index(x, y)] = *std::max_element(depth, depth + samples);
     }
   });
@@ -111,8 +112,8 @@ void camera_film::finish(int x, int y, std::span<const fragment> nearest, const 
   pixel_radiance<float> pixel = empty_pixel<float>();
   for (const fragment& f : nearest) {
     const touch where = from_.at(f.id, x, y);
-    pixel = add_fibre(pixel, radiance(f, where, ray), glm::vec3(1.0F - opacity(f, where)),
-                      visible_coverage(x, y, where));
+    pixel =
+        add_fibre(pixel, radiance(f, where, ray), glm::vec3(1.0F - opacity(f, where)), visible_coverage(x, y, where));
   }
   pixel = add_fibre(pixel, mean_colour(behind), glm::vec3(transmittance_of(behind)), 1.0F);
   picture_.at(x, y) = resolve(pixel, behind_fibres(x, y));

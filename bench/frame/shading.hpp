@@ -21,7 +21,9 @@ enum class components {
   full           ///< both
 };
 
-[[nodiscard]] constexpr bool has_shadows(components c) { return c == components::shadows || c == components::full; }
+[[nodiscard]] constexpr bool has_shadows(components c) {
+  return c == components::shadows || c == components::full;
+}
 [[nodiscard]] constexpr bool has_translucency(components c) {
   return c == components::translucency || c == components::full;
 }
@@ -34,10 +36,10 @@ struct lit {
 
 /// How a fibre answers light: Kajiya-Kay, and the sky's light from all sides.
 struct hair_look {
-  float diffuse = 0.55F;        ///< weight of the diffuse lobe on the hair's colour, [0, 1]
-  float specular = 0.22F;       ///< weight of the uncoloured highlight, [0, 1]
-  float exponent = 60.0F;       ///< of the highlight, [0, inf)
-  float ambient = 0.30F;        ///< share of the sky's light that reaches every fibre, [0, 1]
+  float diffuse = 0.55F;   ///< weight of the diffuse lobe on the hair's colour, [0, 1]
+  float specular = 0.22F;  ///< weight of the uncoloured highlight, [0, 1]
+  float exponent = 60.0F;  ///< of the highlight, [0, inf)
+  float ambient = 0.30F;   ///< share of the sky's light that reaches every fibre, [0, 1]
 };
 
 /// Everything that light meets, and what comes back to an eye.
@@ -45,8 +47,8 @@ struct scene {
   const strands& fibres;
   solids opaque;
   std::vector<lit> lights;
-  sphere bounds;       ///< of the fibres
-  glm::vec3 sky;       ///< light from all sides, linear RGB
+  sphere bounds;  ///< of the fibres
+  glm::vec3 sky;  ///< light from all sides, linear RGB
   hair_look look;
 
   /// Radiance of a fibre toward `to_eye` (unit) at a place on a segment, linear RGB.
@@ -87,8 +89,8 @@ class camera_film final : public pixel_visitor {
   const raster& from_;
   const scene& world_;
   components shown_;
-  int side_;                          ///< samples of opaque objects along a pixel's side
-  std::vector<float> sample_depth_;   ///< side² a pixel
+  int side_;                         ///< samples of opaque objects along a pixel's side
+  std::vector<float> sample_depth_;  ///< side² a pixel
   std::vector<float> limit_;
   image picture_;
 };

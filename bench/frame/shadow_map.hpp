@@ -41,9 +41,9 @@ class shadow_map final : public pixel_visitor {
     std::uint32_t optical;  ///< of this fragment and all before it
   };
   struct texel {
-    std::uint32_t count;    ///< entries in use
-    std::uint32_t behind;   ///< optical depth of the fragments that are not kept
-    float farthest;         ///< depth of the last of those
+    std::uint32_t count;   ///< entries in use
+    std::uint32_t behind;  ///< optical depth of the fragments that are not kept
+    float farthest;        ///< depth of the last of those
   };
 
   [[nodiscard]] std::size_t index(int x, int y) const {

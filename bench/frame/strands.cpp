@@ -43,19 +43,22 @@ strands prepare_strands(const hair_model& model, const strand_overrides& overrid
   s.radius = overrides.radius >= 0.0F ? std::vector<float>(count, overrides.radius)
                                       : per_point(model.thickness, model.default_thickness, count);
   if (overrides.radius < 0.0F) {
-    for (float& r : s.radius) r *= 0.5F;
+    for (float& r : s.radius)
+      r *= 0.5F;
   }
   s.opacity = overrides.opacity >= 0.0F ? std::vector<float>(count, overrides.opacity)
                                         : per_point(model.transparency, model.default_transparency, count);
   if (overrides.opacity < 0.0F) {
-    for (float& o : s.opacity) o = 1.0F - o;
+    for (float& o : s.opacity)
+      o = 1.0F - o;
   }
 
   s.segment.reserve(model.segment_count());
   for (std::size_t strand = 0; strand < model.strand_count(); ++strand) {
     const std::uint32_t first = model.first_point[strand];
     const std::uint32_t end = model.first_point[strand + 1];
-    for (std::uint32_t i = first; i + 1 < end; ++i) s.segment.push_back(i);
+    for (std::uint32_t i = first; i + 1 < end; ++i)
+      s.segment.push_back(i);
     if (first == end) continue;
     s.end_of[first] |= strands::first;
     s.end_of[end - 1] |= strands::last;

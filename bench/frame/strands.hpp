@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cstdint>
 #include <glm/glm.hpp>
+#include <cstdint>
 #include <vector>
 
 #include "frame/hair_model.hpp"

@@ -27,8 +27,8 @@ struct array_extent {
 class layout {
  public:
   /// Fails unless the array starts after the header, aligned, and ends within the file.
-  void add(input_file& file, const char* what, std::uint64_t header_offset, std::uint64_t begin,
-           std::uint64_t count, std::uint64_t element_size) {
+  void add(input_file& file, const char* what, std::uint64_t header_offset, std::uint64_t begin, std::uint64_t count,
+           std::uint64_t element_size) {
     const std::string name = what;
     if (begin < header_size) file.fail(header_offset, name + " would overlap the header");
     if (begin % alignment != 0) file.fail(header_offset, "offset of " + name + " is not a multiple of 8");
@@ -112,9 +112,8 @@ hair_model read_tfx(input_file& file) {
   if (points > std::numeric_limits<std::uint32_t>::max()) file.fail(strand_count_field, "too many vertices");
   if (begin[position] == 0 && points > 0) file.fail(first_offset_field, "the file has no positions");
 
-  constexpr std::array<const char*, array_count> names{"positions", "strand texture coordinates",
-                                                       "vertex texture coordinates", "strand thickness",
-                                                       "vertex colours"};
+  constexpr std::array<const char*, array_count> names{
+      "positions", "strand texture coordinates", "vertex texture coordinates", "strand thickness", "vertex colours"};
   constexpr std::array<std::uint64_t, array_count> element_sizes{16, 8, 8, 4, 16};
   const std::array<std::uint64_t, array_count> counts{points, strands, points, strands, points};
   layout arrays;

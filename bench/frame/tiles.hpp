@@ -25,7 +25,7 @@ class tiles {
 
  private:
   int width_, height_, across_, down_;
-  std::vector<std::size_t> first_;      ///< count() + 1 positions in entry_
+  std::vector<std::size_t> first_;  ///< count() + 1 positions in entry_
   std::vector<std::uint32_t> entry_;
 };
 

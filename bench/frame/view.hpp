@@ -22,13 +22,13 @@ struct view_ray {
 /// View space has the eye at its origin and looks along -z with y up; pixel (0, 0) is at the top left and its centre
 /// at (0.5, 0.5). Square pixels.
 struct view {
-  glm::mat3 rotation;   ///< world directions to view directions
-  glm::vec3 eye;        ///< world position of the view's origin
-  bool perspective;     ///< or orthographic
-  float scale;          ///< perspective: pixels per unit of tangent; orthographic: pixels per unit of length
-  float near_plane;     ///< view depth from which on fibres are drawn
-  int width, height;    ///< pixels
-  ray_cone<float> cone; ///< of one pixel
+  glm::mat3 rotation;    ///< world directions to view directions
+  glm::vec3 eye;         ///< world position of the view's origin
+  bool perspective;      ///< or orthographic
+  float scale;           ///< perspective: pixels per unit of tangent; orthographic: pixels per unit of length
+  float near_plane;      ///< view depth from which on fibres are drawn
+  int width, height;     ///< pixels
+  ray_cone<float> cone;  ///< of one pixel
 
   [[nodiscard]] glm::vec3 to_view(const glm::vec3& world) const { return rotation * (world - eye); }
   [[nodiscard]] glm::vec3 direction_to_world(const glm::vec3& d) const { return glm::transpose(rotation) * d; }

@@ -41,7 +41,8 @@ struct terminal {
   terminal() { fs::create_directory(folder); }
 
   [[nodiscard]] int run(const std::string& options) const {
-    const std::string command = "cd '" + folder.string() + "' && '" PELAGE_FRAME_PROGRAM "' " + options + " >../out 2>../err";
+    const std::string command =
+        "cd '" + folder.string() + "' && '" PELAGE_FRAME_PROGRAM "' " + options + " >../out 2>../err";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -76,15 +77,19 @@ struct terminal {
 /// Options for a frame of milliseconds; what a case adds must name other options.
 const std::string tiny = "--strands 60 --segments 6 --size 24 --k 4 ";
 
-std::vector<std::byte> hair_bytes() { return encode_hair(make_built_in(20, 4, 1)); }
+std::vector<std::byte> hair_bytes() {
+  return encode_hair(make_built_in(20, 4, 1));
+}
 
 /// A .tfx of two strands of two points.
 std::vector<std::byte> tfx_bytes() {
   std::array<float, 40 + 16> file{};
   const std::array<std::uint32_t, 3> counts{2, 2, 160};
   file[0] = 4.0F;
-  std::copy_n(std::as_bytes(std::span(counts)).begin(), sizeof(counts), std::as_writable_bytes(std::span(file)).begin() + 4);
-  for (std::size_t i = 0; i < 16; ++i) file[40 + i] = static_cast<float>(i % 5);
+  std::copy_n(std::as_bytes(std::span(counts)).begin(), sizeof(counts),
+              std::as_writable_bytes(std::span(file)).begin() + 4);
+  for (std::size_t i = 0; i < 16; ++i)
+    file[40 + i] = static_cast<float>(i % 5);
   const auto bytes = std::as_bytes(std::span(file));
   return {bytes.begin(), bytes.end()};
 }
@@ -123,7 +128,8 @@ TEST_CASE("the report has every pass with its fragments, longest list, memory an
     CHECK(pass["structure_bytes"] > 0);
     CHECK(pass["result_bytes"] > 0);
     CHECK(pass["refused"] == 0);
-    for (const char* time : {"prepare_seconds", "bin_seconds", "build_seconds", "resolve_seconds"}) CHECK(pass[time] >= 0.0);
+    for (const char* time : {"prepare_seconds", "bin_seconds", "build_seconds", "resolve_seconds"})
+      CHECK(pass[time] >= 0.0);
   }
 }
 
@@ -138,8 +144,8 @@ TEST_CASE("structures, threads and drawing orders leave the same file; other opt
     CHECK(text_of(t.folder / "b.png") == first);
   }
   for (const std::string options :
-       {"--aa off", "--components single", "--alpha 0.1", "--fibre-radius 0.05", "--seed 2", "--from 90,10", "--map-size 5",
-        "--order full_sort --alpha 0.1", "--lights point:3,3,3:1,1,1 spot:-4,1,0:2,0,0:30"}) {
+       {"--aa off", "--components single", "--alpha 0.1", "--fibre-radius 0.05", "--seed 2", "--from 90,10",
+        "--map-size 5", "--order full_sort --alpha 0.1", "--lights point:3,3,3:1,1,1 spot:-4,1,0:2,0,0:30"}) {
     CAPTURE(options);
     REQUIRE(t.run(tiny + "--out b.png " + options) == 0);
     CHECK(text_of(t.folder / "b.png") != first);
@@ -203,7 +209,8 @@ TEST_CASE("an option that cannot be is refused in one line, and nothing is writt
   for (const std::string size : {"0", "16385", "-4", "24x", "x24", "24x24x24", "24.5", "wide", "''"}) {
     t.check_refused("--out a.png --size " + size, "--size");
   }
-  for (const std::string k : {"0", "3", "128", "many"}) t.check_refused("--out a.png --k " + k, "--k");
+  for (const std::string k : {"0", "3", "128", "many"})
+    t.check_refused("--out a.png --k " + k, "--k");
   t.check_refused("--out a.png --order bubble_sort", "--order");
   t.check_refused("--out a.png --components most", "--components");
   t.check_refused("--out a.png --aa maybe", "--aa");
@@ -248,9 +255,9 @@ TEST_CASE("help is no failure") {
   const terminal t;
   CHECK(t.run("--help") == 0);
   CHECK(t.complaint().empty());
-  for (const char* option : {"--hair", "--follow", "--strands", "--segments", "--seed", "--size", "--k", "--order",
-                             "--components", "--aa", "--alpha", "--fibre-radius", "--lights", "--threads", "--out",
-                             "--report", "--compare"}) {
+  for (const char* option :
+       {"--hair", "--follow", "--strands", "--segments", "--seed", "--size", "--k", "--order", "--components", "--aa",
+        "--alpha", "--fibre-radius", "--lights", "--threads", "--out", "--report", "--compare"}) {
     CHECK(t.printed().find(option) != std::string::npos);
   }
 }

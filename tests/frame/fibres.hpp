@@ -62,7 +62,9 @@ inline frame::view any_perspective(float distance, float near_plane) {
                                  near_plane);
 }
 
-inline frame::pixel_rect whole(const frame::view& v) { return {0, 0, v.width, v.height}; }
+inline frame::pixel_rect whole(const frame::view& v) {
+  return {0, 0, v.width, v.height};
+}
 
 template <class Value>
 bool same_bits(std::span<const Value> a, std::span<const Value> b) {

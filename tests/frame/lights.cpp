@@ -54,13 +54,34 @@ TEST_CASE("a light is read as it is written") {
 }
 
 TEST_CASE("a text that is no light is refused in one line that names it") {
-  for (const std::string text :
-       {"", ":", "sun:1,2,3:1,1,1", "Point:1,2,3:1,1,1", "point", "point:1,2,3", "point:1,2,3:1,1,1:", "point:1,2,3:1,1,1:9",
-        "point:1,2:1,1,1", "point:1,2,3,4:1,1,1", "point:1,2,3,:1,1,1", "point:1,,3:1,1,1", "point:1,2,x:1,1,1",
-        "point:1,2,3z:1,1,1", "point:1,2,nan:1,1,1", "point:1,2,inf:1,1,1", "point:1,2,1e99:1,1,1",
-        "point:1,2,3:-1,1,1", "point:1,2,3:1,1", "point:0,0,0:1,1,1", "directional:0,0,0:1,1,1",
-        "directional:3e38,3e38,0:1,1,1", "spot:1,2,3:1,1,1", "spot:1,2,3:1,1,1:0", "spot:1,2,3:1,1,1:-20",
-        "spot:1,2,3:1,1,1:170", "spot:1,2,3:1,1,1:nan", "spot:1,2,3:1,1,1:60:60"}) {
+  for (const std::string text : {"",
+                                 ":",
+                                 "sun:1,2,3:1,1,1",
+                                 "Point:1,2,3:1,1,1",
+                                 "point",
+                                 "point:1,2,3",
+                                 "point:1,2,3:1,1,1:",
+                                 "point:1,2,3:1,1,1:9",
+                                 "point:1,2:1,1,1",
+                                 "point:1,2,3,4:1,1,1",
+                                 "point:1,2,3,:1,1,1",
+                                 "point:1,,3:1,1,1",
+                                 "point:1,2,x:1,1,1",
+                                 "point:1,2,3z:1,1,1",
+                                 "point:1,2,nan:1,1,1",
+                                 "point:1,2,inf:1,1,1",
+                                 "point:1,2,1e99:1,1,1",
+                                 "point:1,2,3:-1,1,1",
+                                 "point:1,2,3:1,1",
+                                 "point:0,0,0:1,1,1",
+                                 "directional:0,0,0:1,1,1",
+                                 "directional:3e38,3e38,0:1,1,1",
+                                 "spot:1,2,3:1,1,1",
+                                 "spot:1,2,3:1,1,1:0",
+                                 "spot:1,2,3:1,1,1:-20",
+                                 "spot:1,2,3:1,1,1:170",
+                                 "spot:1,2,3:1,1,1:nan",
+                                 "spot:1,2,3:1,1,1:60:60"}) {
     CAPTURE(text);
     try {
       static_cast<void>(parse_light(text));

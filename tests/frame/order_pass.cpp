@@ -17,7 +17,8 @@ namespace pelage::test {
 
 using namespace frame;
 
-constexpr std::array all_methods{order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,
+constexpr std::array all_methods{order_method::k_buffer,       order_method::a_buffer,
+                                 order_method::ordered_list,   order_method::atomic_k_buffer,
                                  order_method::selection_sort, order_method::full_sort};
 
 bool keeps_all(order_method method) {
@@ -31,7 +32,9 @@ std::size_t pixel_of(const raster& from, int x, int y) {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(from.from().width) + static_cast<std::size_t>(x);
 }
 
-std::size_t pixels_of(const raster& from) { return pixel_of(from, 0, from.from().height); }
+std::size_t pixels_of(const raster& from) {
+  return pixel_of(from, 0, from.from().height);
+}
 
 tail with(const tail& behind, fragment lost, const touch& where) {
   return add_fragment(behind, where.coverage, glm::vec3(static_cast<float>(lost.id), lost.depth, where.along));
@@ -39,7 +42,8 @@ tail with(const tail& behind, fragment lost, const touch& where) {
 
 std::vector<std::uint32_t> page_of(std::span<const fragment> nearest, const tail& behind) {
   std::vector<std::uint32_t> page;
-  for (const fragment& f : nearest) page.insert(page.end(), {std::bit_cast<std::uint32_t>(f.depth), f.id});
+  for (const fragment& f : nearest)
+    page.insert(page.end(), {std::bit_cast<std::uint32_t>(f.depth), f.id});
   page.insert(page.end(), {behind.optical, behind.weight, behind.red, behind.green, behind.blue});
   return page;
 }
@@ -84,7 +88,8 @@ pages truth(const raster& from, std::span<const float> limit, std::size_t k) {
     const int x = static_cast<int>(pages.size()) % from.from().width;
     const int y = static_cast<int>(pages.size()) / from.from().width;
     tail behind = empty_tail();
-    for (std::size_t i = kept; i < list.size(); ++i) behind = with(behind, list[i], from.at(list[i].id, x, y));
+    for (std::size_t i = kept; i < list.size(); ++i)
+      behind = with(behind, list[i], from.at(list[i].id, x, y));
     pages.push_back(page_of(std::span(list).first(kept), behind));
   }
   return pages;
@@ -115,7 +120,8 @@ TEST_CASE("every method leaves the K nearest in order and the rest in the tail, 
     const raster from(fibres, v, *rc::gen::arbitrary<bool>());
     std::vector<float> limit;
     if (*rc::gen::arbitrary<bool>()) {
-      for (std::size_t p = 0; p < pixels_of(from); ++p) limit.push_back(2.0F + 0.1F * static_cast<float>(p % 20));
+      for (std::size_t p = 0; p < pixels_of(from); ++p)
+        limit.push_back(2.0F + 0.1F * static_cast<float>(p % 20));
     }
     const auto seed = *rc::gen::arbitrary<std::uint32_t>();
     const std::vector<std::uint32_t> order = shuffled(fibres.segment_count(), seed);
@@ -190,7 +196,8 @@ bool depends_on_drawing_order(std::uint32_t segments, const Draw& draw) {
 
 std::vector<std::uint32_t> in_one(const pages& all) {
   std::vector<std::uint32_t> bits;
-  for (const std::vector<std::uint32_t>& page : all) bits.insert(bits.end(), page.begin(), page.end());
+  for (const std::vector<std::uint32_t>& page : all)
+    bits.insert(bits.end(), page.begin(), page.end());
   return bits;
 }
 

@@ -91,8 +91,8 @@ TEST_CASE("a sweep finds exactly the pixels that hold the segment, and all lie w
 }
 
 /// Coverage and number of fragments of each pixel.
-std::map<std::pair<int, int>, std::pair<double, int>> coverage_by_pixel(const std::vector<glm::vec3>& line, float radius,
-                                                                        const view& v) {
+std::map<std::pair<int, int>, std::pair<double, int>> coverage_by_pixel(const std::vector<glm::vec3>& line,
+                                                                        float radius, const view& v) {
   const strands fibres = fibres_of({line}, radius, 1.0F);
   const raster from(fibres, v, true);
   std::map<std::pair<int, int>, std::pair<double, int>> sum;
@@ -118,7 +118,8 @@ double change_by_cutting(const glm::vec3& start, const glm::vec3& end, int piece
     difference[pixel].first -= sum.first;
   }
   double most = 0.0;
-  for (const auto& [pixel, sum] : difference) most = std::max(most, std::abs(sum.first));
+  for (const auto& [pixel, sum] : difference)
+    most = std::max(most, std::abs(sum.first));
   return most;
 }
 
@@ -142,7 +143,8 @@ TEST_CASE("a straight fibre covers the same when it is cut in pieces, and no pix
   });
   holds("perspective pieces", [] {
     // The line through a joint is drawn on the screen, and off the middle the nearest point of a ray lies beside it.
-    assert_cutting_changes_less_than(1e-3, perspective_view({0.0F, 0.0F, 4.0F}, glm::vec3(0.0F), 0.268F, 32, 32, 0.01F));
+    assert_cutting_changes_less_than(1e-3,
+                                     perspective_view({0.0F, 0.0F, 4.0F}, glm::vec3(0.0F), 0.268F, 32, 32, 0.01F));
   });
 }
 
@@ -153,8 +155,8 @@ double area_ratio(float length, float radius, float angle, bool antialias) {
   const glm::vec3 half = 0.5F * length * glm::vec3(std::cos(angle), std::sin(angle), 0.0F);
   double sum = 0.0;
   for (int i = 0; i < steps * steps; ++i) {
-    const glm::vec3 middle((static_cast<float>(i % steps) + 0.5F) / steps, (static_cast<float>(i / steps) + 0.5F) / steps,
-                           0.0F);
+    const glm::vec3 middle((static_cast<float>(i % steps) + 0.5F) / steps,
+                           (static_cast<float>(i / steps) + 0.5F) / steps, 0.0F);
     const strands fibres = fibres_of({{middle - half, middle + half}}, radius, 1.0F);
     const raster from(fibres, v, antialias);
     from.for_each(0, whole(v), [&](int, int, const touch& t) { sum += static_cast<double>(t.coverage); });

@@ -12,8 +12,7 @@ namespace pelage::test {
 
 /// An empty folder that goes with its contents at the end of a test.
 struct scratch_folder {
-  std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("pelage_test_" + std::to_string(::getpid()));
+  std::filesystem::path path = std::filesystem::temp_directory_path() / ("pelage_test_" + std::to_string(::getpid()));
 
   scratch_folder() {
     std::filesystem::remove_all(path);

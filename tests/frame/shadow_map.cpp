@@ -57,15 +57,20 @@ struct lit_fibres {
 
 double product(const std::vector<std::pair<float, double>>& fragments, float nearer_than) {
   double passed = 1.0;
-  for (const auto& [depth, transmittance] : fragments) passed *= depth < nearer_than ? transmittance : 1.0;
+  for (const auto& [depth, transmittance] : fragments)
+    passed *= depth < nearer_than ? transmittance : 1.0;
   return passed;
 }
 
 /// A texel that has neighbours to the right and below, as the map reads four.
-int any_texel() { return *rc::gen::inRange(0, texels - 1); }
+int any_texel() {
+  return *rc::gen::inRange(0, texels - 1);
+}
 
 /// In steps that float subtracts without rounding.
-float any_depth() { return static_cast<float>(*rc::gen::inRange(1, 4096)) / 128.0F; }
+float any_depth() {
+  return static_cast<float>(*rc::gen::inRange(1, 4096)) / 128.0F;
+}
 
 TEST_CASE("with all fragments kept a texel passes the product of what is nearer, and nothing behind an opaque object") {
   holds("brute force at texel centres", [] {
@@ -127,7 +132,8 @@ TEST_CASE("outside the map everything is lit") {
     const lit_fibres scene;
     const shadow_map map = scene.map(order_method::k_buffer, 4);
     const float along = any_float(-4.0F, texels + 4.0F);
-    const float beside = *rc::gen::arbitrary<bool>() ? any_float(-4.0F, 0.49F) : any_float(texels - 0.49F, texels + 4.0F);
+    const float beside =
+        *rc::gen::arbitrary<bool>() ? any_float(-4.0F, 0.49F) : any_float(texels - 0.49F, texels + 4.0F);
     RC_ASSERT(map.transmittance_to(scene.point(along, beside, 31.0F), 0.0F) == 1.0F);
     RC_ASSERT(map.transmittance_to(scene.point(beside, along, 31.0F), 0.0F) == 1.0F);
   });
@@ -149,11 +155,12 @@ TEST_CASE("between texels' centres it is their bilinear mean, and a bias asks ne
     const float v = static_cast<float>(*rc::gen::inRange(0, y + 1 < texels - 1 ? 8 : 1)) / 8.0F;
     const float mean = glm::mix(glm::mix(at(0, 0), at(1, 0), u), glm::mix(at(0, 1), at(1, 1), u), v);
     const auto passed = [&](float to, float bias) {
-      return map.transmittance_to(
-          scene.point(static_cast<float>(x) + 0.5F + u, static_cast<float>(y) + 0.5F + v, to), bias);
+      return map.transmittance_to(scene.point(static_cast<float>(x) + 0.5F + u, static_cast<float>(y) + 0.5F + v, to),
+                                  bias);
     };
     RC_ASSERT(std::abs(passed(depth, 0.0F) - mean) < 1e-6F);
-    for (float to = 1.0F; to < 32.0F; to += 0.25F) RC_ASSERT(passed(to, 0.25F) == passed(to - 0.25F, 0.0F));
+    for (float to = 1.0F; to < 32.0F; to += 0.25F)
+      RC_ASSERT(passed(to, 0.25F) == passed(to - 0.25F, 0.0F));
   });
 }
 

@@ -27,7 +27,8 @@ solids any_solids() {
 /// The solids that hold a point, by number; the floor holds all that lies below it.
 std::vector<bool> holders(const solids& s, const glm::vec3& p, float margin) {
   std::vector<bool> inside;
-  for (const ellipsoid& part : s.parts) inside.push_back(part.level(p) < 1.0F - margin);
+  for (const ellipsoid& part : s.parts)
+    inside.push_back(part.level(p) < 1.0F - margin);
   inside.push_back(s.floor && p.y < *s.floor - margin);
   return inside;
 }
@@ -51,7 +52,8 @@ TEST_CASE("a ray hits where it first enters a solid that it did not start in") {
     RC_ASSERT(std::abs(glm::length(hit->normal) - 1.0F) < 1e-5F);
     const glm::vec3 p = origin + hit->distance * direction;
     float off = s.floor ? std::abs(p.y - *s.floor) : 1e30F;
-    for (const ellipsoid& part : s.parts) off = std::min(off, std::abs(part.level(p) - 1.0F));
+    for (const ellipsoid& part : s.parts)
+      off = std::min(off, std::abs(part.level(p) - 1.0F));
     RC_ASSERT(off < 1e-3F);
   });
 }
@@ -90,7 +92,8 @@ TEST_CASE("the floor is hit from above alone, and never at infinity") {
 /// Strands of two points from the given roots.
 hair_model hair_on(const std::vector<glm::vec3>& roots) {
   std::vector<std::vector<glm::vec3>> lines;
-  for (const glm::vec3& root : roots) lines.push_back({root, root + glm::vec3(0.0F, 0.1F, 0.0F)});
+  for (const glm::vec3& root : roots)
+    lines.push_back({root, root + glm::vec3(0.0F, 0.1F, 0.0F)});
   return model_of(lines, 0.01F, 1.0F);
 }
 
@@ -117,8 +120,8 @@ TEST_CASE("a head is found under the roots that grow on it, and leaves them outs
     RC_ASSERT(glm::length(head->centre - centre) < 0.05F * radius);
     RC_ASSERT(std::abs(head->radii.x / radius - 0.99F) < 0.05F);
     RC_ASSERT((head->radii.x == head->radii.y && head->radii.y == head->radii.z));
-    const auto outside = std::count_if(roots.begin(), roots.end(),
-                                       [&](const glm::vec3& root) { return head->level(root) >= 1.0F; });
+    const auto outside =
+        std::count_if(roots.begin(), roots.end(), [&](const glm::vec3& root) { return head->level(root) >= 1.0F; });
     RC_ASSERT(outside > 200);
   });
 }

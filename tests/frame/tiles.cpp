@@ -40,7 +40,8 @@ TEST_CASE("the tiles share out the picture's pixels, one to each") {
       CHECK(cut.segments(t).empty());
       const pixel_rect r = cut.rect(t);
       for (int y = r.y0; y < r.y1; ++y) {
-        for (int x = r.x0; x < r.x1; ++x) ++owners[static_cast<std::size_t>(y * width + x)];
+        for (int x = r.x0; x < r.x1; ++x)
+          ++owners[static_cast<std::size_t>(y * width + x)];
       }
     }
     CHECK(std::count(owners.begin(), owners.end(), 1) == width * height);

@@ -71,14 +71,16 @@ void parallel_for(const blocked_range<Index>& all, const Body& body) {
     }
   };
   std::vector<std::jthread> others;
-  for (std::size_t t = 1; t < std::min(threads, count); ++t) others.emplace_back(work);
+  for (std::size_t t = 1; t < std::min(threads, count); ++t)
+    others.emplace_back(work);
   work();
 }
 
 template <class Index, class Body>
 void parallel_for(Index begin, Index end, const Body& body) {
   parallel_for(blocked_range<Index>(begin, std::max(begin, end), 64), [&](const blocked_range<Index>& some) {
-    for (Index i = some.begin(); i < some.end(); ++i) body(i);
+    for (Index i = some.begin(); i < some.end(); ++i)
+      body(i);
   });
 }
 
