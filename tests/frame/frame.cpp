@@ -11,7 +11,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pelage::test {
@@ -141,11 +140,14 @@ TEST_CASE("the tail stands in for what K leaves out, and a greater K comes neare
   settings.order = order_method::full_sort;
   const image truth = draw(small_hair(), settings).picture;
   settings.order = order_method::k_buffer;
-  for (const auto& [k, most] :
-       {std::pair(1U, 0.01), std::pair(4U, 0.004), std::pair(16U, 0.0004), std::pair(64U, 1e-5)}) {
-    CAPTURE(k);
-    settings.k = k;
-    CHECK(compare(draw(small_hair(), settings).picture, truth).rms < most);  // without tails: 0.09 at K = 1
+  struct bound {
+    std::uint32_t k;
+    double most;
+  };
+  for (const bound& b : {bound{1, 0.01}, bound{4, 0.004}, bound{16, 0.0004}, bound{64, 1e-5}}) {
+    CAPTURE(b.k);
+    settings.k = b.k;
+    CHECK(compare(draw(small_hair(), settings).picture, truth).rms < b.most);  // without tails: 0.09 at K = 1
   }
 }
 
