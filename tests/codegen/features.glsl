@@ -130,8 +130,7 @@ precise float features_ranges(float a[4]) {
 
 /// Bits: popcount, leading and trailing zeros, width, conversions of bit patterns.
 uint features_bit_counts(uint x, float f) {
-  const int zeros =
-      int(uint((31 - findMSB(x)) + 3 * (x == 0u ? 32 : findLSB(x))) + 5u * uint(findMSB(x) + 1) - uint(bitCount(x)));
+  const int zeros = (31 - findMSB(x)) + 3 * (x == 0u ? 32 : findLSB(x)) + 5 * int(uint(findMSB(x) + 1)) - bitCount(x);
   const uint pattern = floatBitsToUint(f);
   return uint(zeros + 1000) ^ (pattern >> 3u) ^ min(x, 77u) ^ max(x, 5u);
 }

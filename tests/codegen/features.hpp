@@ -101,7 +101,8 @@ struct sample_pair {
 
 /// Bits: popcount, leading and trailing zeros, width, conversions of bit patterns.
 [[nodiscard]] inline std::uint32_t bit_counts(std::uint32_t x, float f) noexcept {
-  const int zeros = std::countl_zero(x) + 3 * std::countr_zero(x) + 5 * static_cast<int>(std::bit_width(x)) - std::popcount(x);
+  const int zeros =
+      std::countl_zero(x) + 3 * std::countr_zero(x) + 5 * static_cast<int>(std::bit_width(x)) - std::popcount(x);
   const std::uint32_t pattern = std::bit_cast<std::uint32_t>(f);
   return static_cast<std::uint32_t>(zeros + 1000) ^ (pattern >> 3u) ^ std::min(x, 77u) ^ std::max(x, 5u);
 }
