@@ -51,8 +51,7 @@ class raster {
   /// Position, or any other per-point value, at a place on a segment.
   template <class T>
   [[nodiscard]] T mix(const std::vector<T>& value, std::uint32_t segment, float along) const {
-    const std::uint32_t i = fibres_.segment[segment];
-    return value[i] + along * (value[i + 1] - value[i]);
+    return fibres_.mix(value, segment, along);
   }
 
  private:

@@ -22,8 +22,7 @@ glm::vec3 toward_eye(const view& from, const view_ray& ray) {
 }  // namespace
 
 glm::vec3 scene::fibre_radiance(std::uint32_t segment, float along, const glm::vec3& to_eye) const {
-  const std::uint32_t i = fibres.segment[segment];
-  const auto at = [&](const auto& value) { return value[i] + along * (value[i + 1] - value[i]); };
+  const auto at = [&](const auto& value) { return fibres.mix(value, segment, along); };
   const glm::vec3 position = at(fibres.point);
   const glm::vec3 tangent = glm::normalize(at(fibres.tangent));
   const glm::vec3 colour = at(fibres.colour);

@@ -23,6 +23,13 @@ struct strands {
   static constexpr std::uint8_t first = 1;
   static constexpr std::uint8_t last = 2;
 
+  /// Position, or any other per-point value, at a place on a segment.
+  template <class T>
+  [[nodiscard]] T mix(const std::vector<T>& value, std::uint32_t s, float along) const {
+    const std::uint32_t i = segment[s];
+    return value[i] + along * (value[i + 1] - value[i]);
+  }
+
   [[nodiscard]] std::uint32_t segment_count() const { return static_cast<std::uint32_t>(segment.size()); }
 };
 
