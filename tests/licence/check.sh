@@ -5,9 +5,9 @@
 # no place for them or are data.
 set -euo pipefail
 cd "$1"
-mapfile -t sources < <(find . \( -path ./build -o -path ./out -o -path "./.?*/*" -not -path "./.ci/*" -o -name __pycache__ -o \
-  -path ./fuzz/corpus \) -prune -o -type f -not \( -name LICENSE -o -name '*.md' -o \
-  -name '*.json' -o -name '*.csv' -o -name '*.png' -o -name '*.txt' -not -name CMakeLists.txt \) -print | sort)
+mapfile -t sources < <(find . \( -path ./.git -o -path ./build -o -path ./out -o -path './.?*/*' -not -path './.ci/*' -o \
+  -path ./fuzz/corpus -o -name __pycache__ \) -prune -o -type f -not \( -name LICENSE -o -name '*.md' -o -name '*.csv' -o \
+  -name '*.json' -o -name '*.png' -o -name '*.txt' -not -name CMakeLists.txt \) -print | sort)
 if ((${#sources[@]} == 0)); then
   echo "no source under $1" >&2
   exit 1
