@@ -16,8 +16,8 @@
 namespace pelage::frame {
 
 /// What to draw and how. A model and its settings determine the picture, bit for bit: neither the number of threads,
-/// nor the drawing order, nor the choice among k_buffer, a_buffer, ordered_list and
-/// atomic_k_buffer changes it.
+/// nor the drawing order, nor the choice among k_buffer, a_buffer, ordered_list, atomic_k_buffer and
+/// two_pass_k_buffer changes it.
 struct frame_settings {
   int width = 640;  ///< pixels, [1, 16384]
   int height = 640;
@@ -26,6 +26,7 @@ struct frame_settings {
   std::uint32_t k = 16;  ///< one of compiled_k
   shadow_choice shadow;
   components shown = components::full;
+  fibre_look look;  ///< how fibres scatter light
   bool antialias = true;
   std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera
   float opacity = -1.0F;          ///< of all fibres, [0, 1]; negative: the model's own

@@ -36,14 +36,15 @@ class tile_lists {
     }
     group();
     report.fragments += arrived_.size();
-    report.bytes = std::max(report.bytes, pixel_.size() * sizeof(std::uint32_t) + 2 * arrived_.size() * sizeof(listed));
+    report.bytes =
+        std::max(report.bytes, pixel_.size() * sizeof(std::uint32_t) + 2 * arrived_.size() * sizeof(seen_fragment));
   }
 
   void visit(const pixel_rect& rect, const list_visitor& visitor) {
     for (int y = rect.y0; y < rect.y1; ++y) {
       for (int x = rect.x0; x < rect.x1; ++x) {
         const std::size_t p = static_cast<std::size_t>((y - rect.y0) * tiles::side + (x - rect.x0));
-        const std::span<listed> all = std::span(grouped_).subspan(end_[p], end_[p + 1] - end_[p]);
+        const std::span<seen_fragment> all = std::span(grouped_).subspan(end_[p], end_[p + 1] - end_[p]);
         report.longest = std::max(report.longest, static_cast<std::uint32_t>(all.size()));
         visitor(x, y, all);
       }
@@ -67,8 +68,8 @@ class tile_lists {
   }
 
   std::vector<std::uint32_t> pixel_;
-  std::vector<listed> arrived_;
-  std::vector<listed> grouped_;
+  std::vector<seen_fragment> arrived_;
+  std::vector<seen_fragment> grouped_;
   std::vector<std::size_t> end_;
 };
 

@@ -9,17 +9,9 @@
 
 namespace pelage::frame {
 
-/// A fragment of a pixel's list. 16 bytes.
-struct listed {
-  std::uint32_t id;  ///< the segment's number
-  touch where;
-
-  [[nodiscard]] fragment as_fragment() const { return {where.depth, id}; }
-};
-
 /// Takes all fragments of a pixel, in the order of drawing; may change them. Calls for different pixels come from many
 /// threads at once.
-using list_visitor = std::function<void(int x, int y, std::span<listed> all)>;
+using list_visitor = std::function<void(int x, int y, std::span<seen_fragment> all)>;
 
 /// Draws all segments of a raster for methods that see a pixel's fragments together: gives each pixel its list once,
 /// pixels without fragments included. Fragments at or behind `limit` (view depth, one a pixel; or empty) are hidden.

@@ -38,10 +38,10 @@ TEST_CASE("every pixel gets its visible fragments once, in the order of drawing,
     std::vector<std::vector<std::uint32_t>> seen(limit.size());
     std::vector<int> visits(limit.size(), 0);
     const order_report report = on_threads(*rc::gen::element(1, 2, 4), [&] {
-      return run_list_pass(from, limit, order, [&](int x, int y, std::span<listed> all) {
+      return run_list_pass(from, limit, order, [&](int x, int y, std::span<seen_fragment> all) {
         const std::size_t p = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
         ++visits[p];
-        for (const listed& f : all) {
+        for (const seen_fragment& f : all) {
           const touch same = from.at(f.id, x, y);
           const bool kept =
               f.where.depth == same.depth && f.where.coverage == same.coverage && f.where.along == same.along;

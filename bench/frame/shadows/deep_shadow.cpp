@@ -16,15 +16,15 @@ struct deep_shadow::stored_vertices {
   void write_vertex(std::uint32_t, deep_shadow_vertex) noexcept {}
 };
 
-void deep_shadow::fill(int x, int y, std::span<listed> all) {
+void deep_shadow::fill(int x, int y, std::span<seen_fragment> all) {
   std::sort(all.begin(), all.end(),
-            [](const listed& a, const listed& b) { return before(a.as_fragment(), b.as_fragment()); });
+            [](const seen_fragment& a, const seen_fragment& b) { return before(fragment_of(a), fragment_of(b)); });
   static thread_local std::vector<deep_shadow_vertex> scratch;
   scratch.resize(2 * all.size());
   span_vertex_storage storage{scratch};
   deep_shadow_builder line = deep_shadow_builder::begin(0, max_error_);
   sum_up(index(x, y), all,
-         [&](const listed& f, std::uint32_t) { line.add(storage, f.where.depth, alpha(f.id, f.where)); });
+         [&](const seen_fragment& f, std::uint32_t) { line.add(storage, f.where.depth, alpha(f.id, f.where)); });
   line.finish(storage);
   if (line.count == 0) return;
   const auto place = arrived_.grow_by(scratch.begin(), scratch.begin() + static_cast<std::ptrdiff_t>(line.count));

@@ -4,12 +4,12 @@
 
 namespace pelage::frame {
 
-void occupancy_shadow::fill(int x, int y, std::span<listed> all) {
+void occupancy_shadow::fill(int x, int y, std::span<seen_fragment> all) {
   texel& t = texel_[index(x, y)];
-  for (const listed& f : all)
+  for (const seen_fragment& f : all)
     t.range.extend(f.where.depth);
   sum_up(index(x, y), all,
-         [&](const listed& f, std::uint32_t optical) { t.map.add(t.position(f.where.depth), optical); });
+         [&](const seen_fragment& f, std::uint32_t optical) { t.map.add(t.position(f.where.depth), optical); });
 }
 
 float occupancy_shadow::optical_before(std::size_t t, float depth) const {

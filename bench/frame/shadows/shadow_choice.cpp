@@ -32,8 +32,9 @@ struct caster {
   }
 
   [[nodiscard]] cast_shadow filled(std::unique_ptr<list_shadow> map) const {
-    const order_report report = run_list_pass(from, map->limit(), order.drawing_order,
-                                              [&map](int x, int y, std::span<listed> all) { map->fill(x, y, all); });
+    const order_report report =
+        run_list_pass(from, map->limit(), order.drawing_order,
+                      [&map](int x, int y, std::span<seen_fragment> all) { map->fill(x, y, all); });
     map->settle();
     return {std::move(map), report};
   }
