@@ -18,6 +18,15 @@ PELAGE_KERNEL(k_buffer_16)
 PELAGE_KERNEL(k_buffer_8)
 PELAGE_KERNEL(a_buffer)
 PELAGE_KERNEL(ordered_list)
+PELAGE_KERNEL(atomic_k_buffer)
+PELAGE_KERNEL(two_pass_depths)
+PELAGE_KERNEL(two_pass_ids)
+PELAGE_KERNEL(two_pass_read)
+PELAGE_KERNEL(visibility)
+PELAGE_KERNEL(deep_shadow_map)
+PELAGE_KERNEL(blending)
+PELAGE_KERNEL(maps)
+PELAGE_KERNEL(loaded_maps)
 #undef PELAGE_KERNEL
 
 }  // namespace pelage::test::kernels
