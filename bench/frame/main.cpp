@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -9,16 +8,15 @@
 #include <tbb/task_arena.h>
 #include <unistd.h>
 
-#include <charconv>
 #include <cstring>
 #include <filesystem>
-#include <map>
 #include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "frame/built_in.hpp"
+#include "frame/command_line.hpp"
 #include "frame/follow_strands.hpp"
 #include "frame/frame.hpp"
 #include "frame/hair_file.hpp"
@@ -29,107 +27,6 @@
 namespace {
 
 using namespace pelage::frame;
-
-const std::map<std::string, order_method> order_names{{"k_buffer", order_method::k_buffer},
-                                                      {"a_buffer", order_method::a_buffer},
-                                                      {"ordered_list", order_method::ordered_list},
-                                                      {"atomic_k_buffer", order_method::atomic_k_buffer},
-                                                      {"selection_sort", order_method::selection_sort},
-                                                      {"full_sort", order_method::full_sort}};
-const std::map<std::string, components> component_names{{"single", components::single},
-                                                        {"shadows", components::shadows},
-                                                        {"translucency", components::translucency},
-                                                        {"full", components::full}};
-
-template <class Value>
-std::vector<std::string> names(const std::map<std::string, Value>& all) {
-  std::vector<std::string> list;
-  for (const auto& [name, value] : all)
-    list.push_back(name);
-  return list;
-}
-
-struct command_line {
-  std::string hair;
-  std::uint32_t follow = 0;
-  float follow_radius = 0.0F;
-  std::uint32_t strands = 50000;
-  std::uint32_t segments = 48;
-  std::uint64_t seed = 1;
-  std::string size = "640x640";
-  std::vector<std::string> lights;
-  std::vector<float> from;
-  std::string order = "k_buffer";
-  std::string components = "full";
-  std::string antialias = "on";
-  int threads = 0;
-  std::string out = "out/frame.png";
-  std::string report;
-  std::string compare;
-  frame_settings settings;
-};
-
-void parse(CLI::App& app, command_line& c, int argc, char** argv) {
-  CLI::Option* hair = app.add_option("--hair", c.hair, "a .hair or .tfx file; without it the built-in model is drawn");
-  app.add_option("--follow", c.follow, "follow strands for each strand of the file")
-      ->check(CLI::Range(0, 4096))
-      ->needs(hair);
-  app.add_option("--follow-radius", c.follow_radius, "how far they spread, model units; 0: 0.6 % of the model's size")
-      ->check(CLI::Range(0.0, 1e12))
-      ->needs(hair);
-  app.add_option("--strands", c.strands, "of the built-in model")->excludes(hair)->capture_default_str();
-  app.add_option("--segments", c.segments, "of each strand of the built-in model")
-      ->excludes(hair)
-      ->capture_default_str();
-  app.add_option("--seed", c.seed, "of the built-in model and of follow strands")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_option("--size", c.size, "WIDTHxHEIGHT or SIDE, pixels")->capture_default_str();
-  app.add_option("--map-size", c.settings.map_size,
-                 "side of each light's map, texels; 0: as the picture, at most 2048");
-  app.add_option("--k", c.settings.k, "fragments kept a pixel and texel: 1, 2, 4, 8, 16, 32 or 64")
-      ->check(CLI::IsMember({1, 2, 4, 8, 16, 32, 64}))
-      ->capture_default_str();
-  app.add_option("--order", c.order, "how fragments are put in order")
-      ->check(CLI::IsMember(names(order_names)))
-      ->capture_default_str();
-  app.add_option("--components", c.components, "what is drawn")
-      ->check(CLI::IsMember(names(component_names)))
-      ->capture_default_str();
-  app.add_option("--aa", c.antialias, "anti-aliasing, on or off")->check(CLI::IsMember({"on", "off"}));
-  app.add_option("--alpha", c.settings.opacity, "opacity of all fibres, [0, 1]; else the model's")
-      ->check(CLI::Range(0.0, 1.0));
-  app.add_option("--fibre-radius", c.settings.fibre_radius, "of all fibres, model units; else the model's")
-      ->check(CLI::Range(0.0, 1e12));
-  app.add_option("--lights", c.lights,
-                 "directional:X,Y,Z:R,G,B, point:X,Y,Z:R,G,B or spot:X,Y,Z:R,G,B:DEGREES, any number; positions in "
-                 "radii of the model round its centre");
-  app.add_option("--from", c.from, "AZIMUTH,ELEVATION of the camera, degrees; else where the hair is seen best")
-      ->delimiter(',')
-      ->expected(2);
-  app.add_option("--threads", c.threads, "0: one a core")->check(CLI::Range(0, 1024));
-  app.add_option("--shuffle", c.settings.shuffle, "draw segments in an order of this seed; the picture is the same")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
-  app.add_option("--report", c.report, "a JSON file for times, counts and memory");
-  app.add_option("--compare", c.compare, "a PNG to compare with; writes an error map beside --out");
-  app.parse(argc, argv);
-}
-
-/// Reads all of "640x480" or "640".
-void read_size(const std::string& text, frame_settings& settings) {
-  const auto number = [&](const std::string& part) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc() || end != part.data() + part.size() || value < 1 || value > 16384) {
-      throw std::invalid_argument(fmt::format("--size '{}': sides must be whole numbers in [1, 16384]", text));
-    }
-    return value;
-  };
-  const std::size_t cross = text.find('x');
-  settings.width = number(text.substr(0, cross));
-  settings.height = cross == std::string::npos ? settings.width : number(text.substr(cross + 1));
-}
 
 /// The two formats are told apart by what they begin with: a .tfx has a version number there.
 bool begins_as_hair(const std::string& path) {
@@ -170,8 +67,8 @@ nlohmann::json report_of(const command_line& c, const hair_model& model, const f
           {"segments", model.segment_count()},
           {"width", c.settings.width},
           {"height", c.settings.height},
-          {"order", c.order},
-          {"components", c.components},
+          {"order", name_of(c.settings.order)},
+          {"components", name_of(c.settings.shown)},
           {"k", c.settings.k},
           {"seconds", frame.seconds},
           {"peak_bytes", peak_memory()},
@@ -202,15 +99,7 @@ std::optional<image> load_other(const command_line& c) {
   return other;
 }
 
-void run(command_line& c) {
-  read_size(c.size, c.settings);
-  c.settings.order = order_names.at(c.order);
-  c.settings.shown = component_names.at(c.components);
-  c.settings.antialias = c.antialias == "on";
-  c.settings.on_bust = c.hair.empty();
-  for (const std::string& text : c.lights)
-    c.settings.lights.push_back(parse_light(text));
-  if (!c.from.empty()) c.settings.from = glm::vec2(c.from[0], c.from[1]);
+void run(const command_line& c) {
   const std::size_t threads = static_cast<std::size_t>(c.threads > 0 ? c.threads : tbb::info::default_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
 
@@ -256,16 +145,10 @@ void run(command_line& c) {
 
 int main(int argc, char** argv) {
   CLI::App app{"Draws hair with the pelage headers: sorted translucency, self-shadowing, anti-aliasing."};
-  command_line c;
   try {
-    parse(app, c, argc, argv);
+    run(parse_command_line(app, argc, argv));
   } catch (const CLI::Success& help) {
     return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return fail(error.what());
-  }
-  try {
-    run(c);
   } catch (const std::bad_alloc&) {
     return fail("there is not enough memory for this model and size");
   } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 
 #include "frame/image.hpp"
 #include "frame/lights.hpp"
+#include "frame/opaque_depth.hpp"
 #include "frame/order_pass.hpp"
 #include "frame/shadow_map.hpp"
 #include "frame/solids.hpp"

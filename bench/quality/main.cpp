@@ -34,9 +34,9 @@
 #include "frame/bust.hpp"
 #include "frame/hair_file.hpp"
 #include "frame/lights.hpp"
+#include "frame/opaque_depth.hpp"
 #include "frame/order_pass.hpp"
 #include "frame/output_file.hpp"
-#include "frame/shadow_map.hpp"
 #include "frame/strands.hpp"
 #include "frame/tfx_file.hpp"
 

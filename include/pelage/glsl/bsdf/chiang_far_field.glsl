@@ -5,6 +5,9 @@
 #ifndef PELAGE_EVALUATE_CHIANG_FAR_PANELS
 #define PELAGE_EVALUATE_CHIANG_FAR_PANELS 4
 #endif
+#if !(PELAGE_EVALUATE_CHIANG_FAR_PANELS >= 1 && PELAGE_EVALUATE_CHIANG_FAR_PANELS <= 64)
+#error the width of a fibre is cut into 1 to 64 panels
+#endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
@@ -25,6 +28,13 @@ uint[PELAGE_EVALUATE_CHIANG_FAR_PANELS] PELAGE_EVALUATE_CHIANG_FAR_PANELS_has_on
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
 #define pelage_evaluate_chiang_far PELAGE_PASTE(PELAGE_PREFIX, _evaluate_chiang_far)
 #endif
+
+/// A fibre thinner than a pixel: the model averaged over the fibre's width, ½ ∫ f(h) dh over [-1, 1].
+///
+/// The rule: h = sin γ, which takes the square roots at the edges out of the integrand, and three Gauss points in
+/// each of `Panels` equal parts of γ. Largest error against the greatest value at one inclination: 0.03 with 4 panels
+/// at β_n 0.3, 0.004 with 8; half of β_n takes twice the panels and a few more. Integrals over directions, such as
+/// energies, are within 2e-4 with 4. Cost 3 Panels evaluations of the near field. Panels in [1, 64].
 
 #ifndef PELAGE_BSDF_CHIANG_FAR_FIELD_GLSL_ONCE
 

@@ -6,6 +6,17 @@
 
 #include "../core/elementary.glsl"
 
+/// Light that many fibres have scattered before it reaches the eye, from averages of one fibre: forward through the
+/// fibres in front (global), and back from those behind (local). [Zinke 2008]
+///
+/// Everything is in shares of light per steradian, e: what one fibre, or the hair behind it, sends from inclination
+/// θ_i to (θ_r, φ), with ∫ e dω = the share that is scattered at all. For Chiang's model e is f |cos|, for Marschner's
+/// ½ S cos θ_r, since its M counts θ_r in halves. φ is the azimuth between light and eye, 0 back to the light, ±π
+/// straight on. The averages come from any fibre model: dual_scattering_table.hpp.
+///
+/// Where the paper is constant over a half circle of azimuths, 1/π here and 0 there, these are linear in |φ|: the same
+/// share of light and no edge. 1/π is in e and not left to the caller.
+
 /// What a fibre does on average to light of one inclination; colours are per channel.
 struct pelage_dual_averages {
   vec3 forward;            ///< ā_f: the share that goes on, [0, 1)

@@ -5,6 +5,9 @@
 #ifndef PELAGE_MEAN_PASSAGE_PANELS
 #define PELAGE_MEAN_PASSAGE_PANELS 4
 #endif
+#if !(PELAGE_MEAN_PASSAGE_PANELS >= 1 && PELAGE_MEAN_PASSAGE_PANELS <= 64)
+#error the width of a fibre is cut into 1 to 64 panels
+#endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
@@ -25,6 +28,13 @@ uint[PELAGE_MEAN_PASSAGE_PANELS] PELAGE_MEAN_PASSAGE_PANELS_has_one_value_in_a_s
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
 #define pelage_mean_passage PELAGE_PASTE(PELAGE_PREFIX, _mean_passage)
 #endif
+
+/// What a fibre lets through to what lies behind it, per channel: the attenuation along shadow and view paths.
+///
+/// It is the TT lobe's A_1 = (1 - F)² T of the BSDF itself, so that a path that takes a fibre for a filter and one that
+/// scatters in it agree: averaged over the width it is the integral of the TT lobe over all directions. Light that R,
+/// TRT and the residual lobe take out of the path is what those lobes scatter. The lobe's spread is the one thing that
+/// the straight path leaves out. Along the axis with σ_a = 0 it is fibre_attenuation().
 
 #ifndef PELAGE_BSDF_PASSAGE_GLSL_ONCE
 

@@ -4,6 +4,9 @@
 #ifndef PELAGE_CORE_VECTOR_MATH_GLSL
 #define PELAGE_CORE_VECTOR_MATH_GLSL
 
+/// Products and lengths of vectors as plain sums from x on: the bits of glm::dot and its like, on shaders' machines
+/// too. A driver may fuse the built-in ones, which then leave 2e-8 of a × a and lose digits where sums cancel.
+
 /// a · b.
 precise float pelage_dot_product(vec3 a, vec3 b);
 

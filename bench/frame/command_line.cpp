@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+namespace pelage::frame {
+namespace {
+
+const std::map<std::string, order_method> order_names{{"k_buffer", order_method::k_buffer},
+                                                      {"a_buffer", order_method::a_buffer},
+                                                      {"ordered_list", order_method::ordered_list},
+                                                      {"atomic_k_buffer", order_method::atomic_k_buffer},
+                                                      {"selection_sort", order_method::selection_sort},
+                                                      {"full_sort", order_method::full_sort}};
+const std::map<std::string, components> component_names{{"single", components::single},
+                                                        {"shadows", components::shadows},
+                                                        {"translucency", components::translucency},
+                                                        {"full", components::full}};
+
+template <class Value>
+std::vector<std::string> names(const std::map<std::string, Value>& all) {
+  std::vector<std::string> list;
+  for (const auto& [name, value] : all)
+    list.push_back(name);
+  return list;
+}
+
+template <class Value>
+std::string name_in(const std::map<std::string, Value>& all, Value wanted) {
+  return std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.second == wanted; })->first;
+}
+
+/// Reads all of "640x480" or "640".
+void read_size(const std::string& text, frame_settings& settings) {
+  const auto number = [&](const std::string& part) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || end != part.data() + part.size() || value < 1 || value > 16384) {
+      throw std::invalid_argument(fmt::format("--size '{}': sides must be whole numbers in [1, 16384]", text));
+    }
+    return value;
+  };
+  const std::size_t cross = text.find('x');
+  settings.width = number(text.substr(0, cross));
+  settings.height = cross == std::string::npos ? settings.width : number(text.substr(cross + 1));
+}
+
+}  // namespace
+
+command_line parse_command_line(CLI::App& app, int argc, char** argv) {
+  command_line c;
+  frame_settings& s = c.settings;
+  std::string size = "640x640";
+  std::string order = name_of(s.order);
+  std::string shown = name_of(s.shown);
+  std::string antialias = "on";
+  std::vector<std::string> lights;
+  std::vector<float> from;
+
+  CLI::Option* hair = app.add_option("--hair", c.hair, "a .hair or .tfx file; without it the built-in model is drawn");
+  app.add_option("--follow", c.follow, "follow strands for each strand of the file")
+      ->check(CLI::Range(0, 4096))
+      ->needs(hair);
+  app.add_option("--follow-radius", c.follow_radius, "how far they spread, model units; 0: 0.6 % of the model's size")
+      ->check(CLI::Range(0.0, 1e12))
+      ->needs(hair);
+  app.add_option("--strands", c.strands, "of the built-in model")->excludes(hair)->capture_default_str();
+  app.add_option("--segments", c.segments, "of each strand of the built-in model")
+      ->excludes(hair)
+      ->capture_default_str();
+  app.add_option("--seed", c.seed, "of the built-in model and of follow strands")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--size", size, "WIDTHxHEIGHT or SIDE, pixels")->capture_default_str();
+  app.add_option("--map-size", s.map_size, "side of each light's map, texels; 0: as the picture, at most 2048");
+  app.add_option("--k", s.k, "fragments kept a pixel and texel: 1, 2, 4, 8, 16, 32 or 64")
+      ->check(CLI::IsMember({1, 2, 4, 8, 16, 32, 64}))
+      ->capture_default_str();
+  app.add_option("--order", order, "how fragments are put in order")
+      ->check(CLI::IsMember(names(order_names)))
+      ->capture_default_str();
+  app.add_option("--components", shown, "what is drawn")
+      ->check(CLI::IsMember(names(component_names)))
+      ->capture_default_str();
+  app.add_option("--aa", antialias, "anti-aliasing, on or off")->check(CLI::IsMember({"on", "off"}));
+  app.add_option("--alpha", s.opacity, "opacity of all fibres, [0, 1]; else the model's")->check(CLI::Range(0.0, 1.0));
+  app.add_option("--fibre-radius", s.fibre_radius, "of all fibres, model units; else the model's")
+      ->check(CLI::Range(0.0, 1e12));
+  app.add_option("--lights", lights,
+                 "directional:X,Y,Z:R,G,B, point:X,Y,Z:R,G,B or spot:X,Y,Z:R,G,B:DEGREES, any number; positions in "
+                 "radii of the model round its centre");
+  app.add_option("--from", from, "AZIMUTH,ELEVATION of the camera, degrees; else where the hair is seen best")
+      ->delimiter(',')
+      ->expected(2);
+  app.add_option("--threads", c.threads, "0: one a core")->check(CLI::Range(0, 1024));
+  app.add_option("--shuffle", s.shuffle, "draw segments in an order of this seed; the picture is the same")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
+  app.add_option("--report", c.report, "a JSON file for times, counts and memory");
+  app.add_option("--compare", c.compare, "a PNG to compare with; writes an error map beside --out");
+  app.parse(argc, argv);
+
+  read_size(size, s);
+  s.order = order_names.at(order);
+  s.shown = component_names.at(shown);
+  s.antialias = antialias == "on";
+  s.on_bust = c.hair.empty();
+  for (const std::string& text : lights)
+    s.lights.push_back(parse_light(text));
+  if (!from.empty()) s.from = glm::vec2(from[0], from[1]);
+  return c;
+}
+
+std::string name_of(order_method method) {
+  return name_in(order_names, method);
+}
+
+std::string name_of(components shown) {
+  return name_in(component_names, shown);
+}
+
+}  // namespace pelage::frame

@@ -1,0 +1,159 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/stage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "frame/bust.hpp"
+#include "frame/random.hpp"
+
+namespace pelage::frame {
+namespace {
+
+constexpr float largest = 1e12F;  ///< lengths that a frame takes
+
+void check(const frame_settings& s) {
+  const auto in_range = [](int n) { return n >= 1 && n <= 16384; };
+  if (!in_range(s.width) || !in_range(s.height))
+    throw std::invalid_argument("the picture's sides must be in [1, 16384]");
+  if (s.map_size != 0 && (s.map_size == 1 || !in_range(s.map_size))) {
+    throw std::invalid_argument("the map's side must be 0 or in [2, 16384]");
+  }
+  if (s.opacity > 1.0F || std::isnan(s.opacity)) throw std::invalid_argument("alpha must be in [0, 1]");
+  if (s.from && !(std::isfinite(s.from->x) && std::abs(s.from->y) < 90.0F)) {
+    throw std::invalid_argument("the camera's elevation must be in (-90, 90) degrees");
+  }
+  if (!(s.fibre_radius <= largest)) throw std::invalid_argument("the fibre's radius must be at most 1e12");
+}
+
+/// Squares of what a frame computes with must stay in float's range.
+void check(const hair_model& model, const box& bounds) {
+  const auto too_large = [](float x) { return !(std::abs(x) <= largest); };
+  if (bounds.empty()) return;
+  for (const glm::vec3& corner : {bounds.lower, bounds.upper}) {
+    if (too_large(corner.x) || too_large(corner.y) || too_large(corner.z)) {
+      throw std::invalid_argument("the model reaches beyond 1e12 units");
+    }
+  }
+  const float extent = glm::length(bounds.upper - bounds.lower);
+  if (extent > 0.0F && extent < 1.0F / largest) throw std::invalid_argument("the model is smaller than 1e-12 units");
+  if (too_large(model.default_thickness) || std::any_of(model.thickness.begin(), model.thickness.end(), too_large)) {
+    throw std::invalid_argument("a fibre is thicker than 1e12 units");
+  }
+  const auto too_bright = [](const glm::vec3& c) { return !(std::max({c.x, c.y, c.z}) <= 1e6F); };
+  if (too_bright(model.default_colour) || std::any_of(model.colour.begin(), model.colour.end(), too_bright)) {
+    throw std::invalid_argument("a fibre's colour is brighter than 1e6");
+  }
+}
+
+/// Every segment's number, in an order that depends on the seed alone.
+std::vector<std::uint32_t> drawing_order(std::uint32_t segments, std::uint64_t seed) {
+  if (seed == 0) return {};
+  std::vector<std::uint32_t> order(segments);
+  std::iota(order.begin(), order.end(), 0U);
+  random_stream random(seed, 0);
+  for (std::uint32_t i = segments; i > 1; --i)
+    std::swap(order[i - 1], order[random.next() % i]);
+  return order;
+}
+
+sphere sphere_round(const box& bounds) {
+  if (bounds.empty()) return {glm::vec3(0.0F), 1.0F};
+  const float radius = 0.5F * glm::length(bounds.upper - bounds.lower);
+  return {0.5F * (bounds.lower + bounds.upper), radius > 0.0F ? radius : 1.0F};
+}
+
+solids opaque_objects(const hair_model& model, const box& bounds, const sphere& round, bool on_bust) {
+  solids s;
+  s.clear = 5.0F * round.radius;
+  if (on_bust) {
+    s.parts.assign(bust.begin(), bust.end());
+    s.floor = -2.75F;
+  } else if (!bounds.empty()) {
+    if (const auto head = fit_head(model)) s.parts.push_back(*head);
+    float lowest = bounds.lower.y;
+    for (const ellipsoid& part : s.parts)
+      lowest = std::min(lowest, part.centre.y - part.radii.y);
+    s.floor = lowest - 0.02F * (bounds.upper.y - bounds.lower.y);
+  }
+  return s;
+}
+
+/// Where the hair is seen best: from the front and a little aside, or from beside the middle of hair that grows on one
+/// side of the head. Azimuth and elevation in degrees.
+glm::vec2 best_side(const solids& opaque, const sphere& round, bool on_bust) {
+  if (!on_bust && !opaque.parts.empty()) {
+    const ellipsoid& head = opaque.parts.front();
+    const glm::vec3 aside = round.centre - head.centre;
+    if (std::hypot(aside.x, aside.z) > 0.25F * head.radii.x) {
+      return {glm::degrees(std::atan2(aside.x, aside.z)) - 62.0F, 8.0F};
+    }
+  }
+  return {23.0F, 8.0F};
+}
+
+glm::vec3 direction_of(const glm::vec2& azimuth_elevation) {
+  const glm::vec2 a = glm::radians(azimuth_elevation);
+  return {std::cos(a.y) * std::sin(a.x), std::sin(a.y), std::cos(a.y) * std::cos(a.x)};
+}
+
+/// A warm key from above the camera's right, and a cool rim from behind.
+std::vector<light> studio(float camera_azimuth) {
+  std::vector<light> lights{parse_light("spot:1.5,4.3,5.6:1.55,1.47,1.36:90"),
+                            parse_light("directional:-0.9,1.3,-2.0:0.80,0.88,1.0")};
+  const float turn = glm::radians(camera_azimuth);
+  const glm::mat3 rotation(std::cos(turn), 0.0F, -std::sin(turn), 0.0F, 1.0F, 0.0F, std::sin(turn), 0.0F,
+                           std::cos(turn));
+  for (light& l : lights) {
+    l.position = rotation * l.position;
+    l.direction = rotation * l.direction;
+  }
+  return lights;
+}
+
+/// The camera in a direction from the fibres that sees the whole of their box.
+view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& toward, int width, int height) {
+  constexpr float tan_half_fov = 0.268F;  // 30 degrees
+  const float aspect = static_cast<float>(width) / static_cast<float>(height);
+  const glm::vec3 half = bounds.empty() ? glm::vec3(1.0F) : 0.5F * (bounds.upper - bounds.lower);
+  const glm::mat3 axes = perspective_view(toward, glm::vec3(0.0F), tan_half_fov, width, height, 0.0F).rotation;
+  float distance = 1.01F * round.radius;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 sign((corner & 1) != 0 ? 1.0F : -1.0F, (corner & 2) != 0 ? 1.0F : -1.0F,
+                         (corner & 4) != 0 ? 1.0F : -1.0F);
+    const glm::vec3 c = sign * half;
+    const glm::vec3 seen = axes * c;
+    const float aside = std::max(std::abs(seen.x) / aspect, std::abs(seen.y));
+    distance = std::max(distance, 1.02F * aside / tan_half_fov + glm::dot(c, toward));
+  }
+  return perspective_view(round.centre + distance * toward, round.centre, tan_half_fov, width, height,
+                          0.01F * round.radius);
+}
+
+}  // namespace
+
+stage set_up(const hair_model& model, const frame_settings& settings) {
+  const box bounds = model.bounds();
+  check(settings);
+  check(model, bounds);
+  stage s;
+  s.fibres = prepare_strands(model, {settings.fibre_radius, settings.opacity});
+  s.round = sphere_round(bounds);
+  s.drawing_order = drawing_order(s.fibres.segment_count(), settings.shuffle);
+  s.opaque = opaque_objects(model, bounds, s.round, settings.on_bust);
+  s.sky = glm::vec3(0.62F, 0.66F, 0.72F);
+  const glm::vec2 from = settings.from ? *settings.from : best_side(s.opaque, s.round, settings.on_bust);
+  const int texels =
+      settings.map_size != 0 ? settings.map_size : std::clamp(std::max(settings.width, settings.height), 2, 2048);
+  for (const light& relative : settings.lights.empty() ? studio(from.x) : settings.lights) {
+    s.lights.push_back(place_light(relative, s.round));
+    s.light_views.push_back(light_view(s.lights.back(), s.round, texels));
+  }
+  s.eye = fitted_camera(bounds, s.round, direction_of(from), settings.width, settings.height);
+  return s;
+}
+
+}  // namespace pelage::frame

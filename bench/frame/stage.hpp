@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "frame/frame.hpp"
+#include "frame/lights.hpp"
+#include "frame/solids.hpp"
+#include "frame/strands.hpp"
+#include "frame/view.hpp"
+
+namespace pelage::frame {
+
+/// All that stands before the lights and the camera, and where those stand: what a frame draws on any device.
+struct stage {
+  strands fibres;
+  sphere round;  ///< of the fibres
+  solids opaque;
+  glm::vec3 sky;                             ///< light from all sides, linear RGB
+  std::vector<light> lights;                 ///< placed
+  std::vector<view> light_views;             ///< one a light
+  view eye;                                  ///< the camera's
+  std::vector<std::uint32_t> drawing_order;  ///< segments' numbers; empty: 0, 1, 2…
+};
+
+/// Throws std::invalid_argument for a setting out of range and a model that float's range does not hold.
+[[nodiscard]] stage set_up(const hair_model& model, const frame_settings& settings);
+
+}  // namespace pelage::frame
