@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
