@@ -29,7 +29,7 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const order_options options{settings.order, settings.k, set.drawing_order};
 
   frame_result result;
-  scene world{fibres, set.opaque, {}, set.round, set.sky, {}};
+  scene world{fibres, set.opaque, {}, set.round, set.sky, fibre_bsdf(settings.look)};
   const double passes = static_cast<double>(set.lights.size() + 1);
 
   // A map keeps pointers to its raster and view for its depths; they live as long as the scene.

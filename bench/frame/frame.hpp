@@ -24,6 +24,7 @@ struct frame_settings {
   order_method order = order_method::k_buffer;
   std::uint32_t k = 16;  ///< one of compiled_k
   components shown = components::full;
+  fibre_look look;  ///< how fibres scatter light
   bool antialias = true;
   std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera
   float opacity = -1.0F;          ///< of all fibres, [0, 1]; negative: the model's own

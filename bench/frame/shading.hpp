@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "frame/fibre_bsdf.hpp"
 #include "frame/image.hpp"
 #include "frame/lights.hpp"
 #include "frame/opaque_depth.hpp"
@@ -35,22 +36,14 @@ struct lit {
   std::unique_ptr<shadow_map> shadow;
 };
 
-/// How a fibre answers light: Kajiya-Kay, and the sky's light from all sides.
-struct hair_look {
-  float diffuse = 0.55F;   ///< weight of the diffuse lobe on the hair's colour, [0, 1]
-  float specular = 0.22F;  ///< weight of the uncoloured highlight, [0, 1]
-  float exponent = 60.0F;  ///< of the highlight, [0, inf)
-  float ambient = 0.30F;   ///< share of the sky's light that reaches every fibre, [0, 1]
-};
-
 /// Everything that light meets, and what comes back to an eye.
 struct scene {
   const strands& fibres;
   solids opaque;
   std::vector<lit> lights;
   sphere bounds;  ///< of the fibres
-  glm::vec3 sky;  ///< light from all sides, linear RGB
-  hair_look look;
+  glm::vec3 sky;  ///< radiance from all sides, linear RGB
+  fibre_bsdf bsdf;
 
   /// Radiance of a fibre toward `to_eye` (unit) at a place on a segment, linear RGB.
   [[nodiscard]] glm::vec3 fibre_radiance(std::uint32_t segment, float along, const glm::vec3& to_eye) const;

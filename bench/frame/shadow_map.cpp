@@ -48,12 +48,12 @@ float shadow_map::transmittance_to(const glm::vec3& world, float bias) const {
 }
 
 passage shadow_map::passed_to(const glm::vec3& world, float bias) const {
-  const glm::vec2 passed = mean(world, bias, glm::vec2(1.0F, 0.0F), [this](std::size_t texel, float depth) {
+  const glm::vec3 passed = mean(world, bias, glm::vec3(1.0F, 0.0F, 1.0F), [this](std::size_t texel, float depth) {
     const bool hidden = depth > limit_[texel];
     const float octaves = optical_before(texel, hidden ? std::numeric_limits<float>::infinity() : depth) * unit;
-    return glm::vec2(hidden ? 0.0F : fast_exp2(-octaves), octaves * fibres_per_octave_[texel]);
+    return glm::vec3(hidden ? 0.0F : fast_exp2(-octaves), octaves * fibres_per_octave_[texel], hidden ? 0.0F : 1.0F);
   });
-  return {passed.x, passed.y};
+  return {passed.x, passed.y, passed.z};
 }
 
 std::uint64_t shadow_map::bytes() const {

@@ -14,8 +14,9 @@ namespace pelage::frame {
 
 /// What light has met on its way.
 struct passage {
-  float transmittance;  ///< the share that arrives, [0, 1]
+  float transmittance;  ///< the share that arrives, [0, open]
   float fibres;         ///< fibres passed, each counted by the share of the texel that it covers, [0, 4096)
+  float open;           ///< the share that no opaque object stops, [0, 1]
 };
 
 /// What passes from a light to any point. What a texel keeps of its fibres is up to the method, shadows/; all share
@@ -30,9 +31,9 @@ class shadow_map {
   /// bilinearly. What lies less than `bias` before the position does not count; nor does anything outside the map.
   [[nodiscard]] float transmittance_to(const glm::vec3& world, float bias) const;
 
-  /// The same with the number of fibres in the way. That is the texel's sum of coverages in proportion to the optical
-  /// depth: exact behind the last fibre, and wherever all are alike; 0 where none stops light. Behind an opaque object
-  /// it is that of all fibres before the object.
+  /// The same with the number of fibres in the way and what opaque objects leave. The number is the texel's sum of
+  /// coverages in proportion to the optical depth: exact behind the last fibre, and wherever all are alike; 0 where
+  /// none stops light. Behind an opaque object it is that of all fibres before the object.
   [[nodiscard]] passage passed_to(const glm::vec3& world, float bias) const;
 
   /// View depth of the nearest opaque object in each texel, +inf where there is none.

@@ -95,6 +95,23 @@ TEST_CASE("neither threads nor drawing order nor the choice of structure changes
   }
 }
 
+TEST_CASE("each model of scattering draws the same bits on any number of threads, and others than the next model") {
+  std::vector<image> pictures;
+  for (const bsdf_model model :
+       {bsdf_model::kajiya_kay, bsdf_model::marschner, bsdf_model::chiang, bsdf_model::dual_scattering}) {
+    CAPTURE(static_cast<int>(model));
+    frame_settings settings = small_frame();
+    settings.look.model = model;
+    const frame_result first = draw(small_hair(), settings, 1);
+    settings.shuffle = 7;
+    for (const int threads : {2, 4})
+      CHECK(same_picture(draw(small_hair(), settings, threads).picture, first.picture));
+    for (const image& other : pictures)
+      CHECK_FALSE(same_picture(other, first.picture));
+    pictures.push_back(first.picture);
+  }
+}
+
 TEST_CASE("100 frames from structures that all threads build at once are one picture") {
   const hair_model few = make_built_in(60, 8, 1);
   frame_settings settings = small_frame();
