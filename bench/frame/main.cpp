@@ -59,6 +59,7 @@ nlohmann::json report_of(const command_line& c, const hair_model& model, const f
                       {"resolve_seconds", p.order.resolve_seconds},
                       {"fragments", p.order.fragments},
                       {"longest_list", p.order.longest},
+                      {"tail_fragments", p.order.behind},
                       {"refused", p.order.refused},
                       {"structure_bytes", p.order.bytes},
                       {"result_bytes", p.bytes}});

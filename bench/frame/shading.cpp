@@ -93,26 +93,25 @@ float camera_film::visible_coverage(int x, int y, const touch& where) const {
   return where.coverage * (static_cast<float>(in_front) / static_cast<float>(samples));
 }
 
-float camera_film::opacity(fragment f, const touch& where) const {
-  return has_translucency(shown_) ? from_.mix(from_.fibres().opacity, f.id, where.along) : 1.0F;
+float camera_film::opacity(const seen_fragment& f) const {
+  return has_translucency(shown_) ? from_.mix(from_.fibres().opacity, f.id, f.where.along) : 1.0F;
 }
 
-glm::vec3 camera_film::radiance(fragment f, const touch& where, const view_ray& ray) const {
-  return world_.fibre_radiance(f.id, where.along, toward_eye(from_.from(), ray));
+glm::vec3 camera_film::radiance(const seen_fragment& f, const view_ray& ray) const {
+  return world_.fibre_radiance(f.id, f.where.along, toward_eye(from_.from(), ray));
 }
 
-void camera_film::lose(int x, int y, fragment lost, const touch& where, tail& behind) {
+void camera_film::lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) {
   const view_ray ray = centre_ray(from_.from(), x, y);
-  behind = add_fragment(behind, opacity(lost, where) * visible_coverage(x, y, where), radiance(lost, where, ray));
+  for (const seen_fragment& f : lost)
+    behind = add_fragment(behind, opacity(f) * visible_coverage(x, y, f.where), radiance(f, ray));
 }
 
-void camera_film::finish(int x, int y, std::span<const fragment> nearest, const tail& behind) {
+void camera_film::finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) {
   const view_ray ray = centre_ray(from_.from(), x, y);
   pixel_radiance<float> pixel = empty_pixel<float>();
-  for (const fragment& f : nearest) {
-    const touch where = from_.at(f.id, x, y);
-    pixel =
-        add_fibre(pixel, radiance(f, where, ray), glm::vec3(1.0F - opacity(f, where)), visible_coverage(x, y, where));
+  for (const seen_fragment& f : nearest) {
+    pixel = add_fibre(pixel, radiance(f, ray), glm::vec3(1.0F - opacity(f)), visible_coverage(x, y, f.where));
   }
   pixel = add_fibre(pixel, mean_colour(behind), glm::vec3(transmittance_of(behind)), 1.0F);
   picture_.at(x, y) = resolve(pixel, behind_fibres(x, y));

@@ -67,8 +67,8 @@ class camera_film final : public pixel_visitor {
   [[nodiscard]] std::span<const float> limit() const { return limit_; }
 
   void expect(std::span<const std::uint32_t> fragments_per_pixel) override { (void)fragments_per_pixel; }
-  void lose(int x, int y, fragment lost, const touch& where, tail& behind) override;
-  void finish(int x, int y, std::span<const fragment> nearest, const tail& behind) override;
+  void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) override;
+  void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override;
 
   [[nodiscard]] const image& picture() const { return picture_; }
 
@@ -76,8 +76,8 @@ class camera_film final : public pixel_visitor {
   [[nodiscard]] std::size_t index(int x, int y) const;
   [[nodiscard]] glm::vec2 sample_position(int x, int y, int sample) const;
   [[nodiscard]] float visible_coverage(int x, int y, const touch& where) const;
-  [[nodiscard]] float opacity(fragment f, const touch& where) const;
-  [[nodiscard]] glm::vec3 radiance(fragment f, const touch& where, const view_ray& ray) const;
+  [[nodiscard]] float opacity(const seen_fragment& f) const;
+  [[nodiscard]] glm::vec3 radiance(const seen_fragment& f, const view_ray& ray) const;
   [[nodiscard]] glm::vec3 behind_fibres(int x, int y) const;
 
   const raster& from_;

@@ -26,25 +26,26 @@ void k_buffer_shadow::expect(std::span<const std::uint32_t> fragments_per_pixel)
   entry_.shrink_to_fit();
 }
 
-void k_buffer_shadow::lose(int x, int y, fragment lost, const touch& where, tail& behind) {
-  behind.optical = add_saturating(behind.optical, optical_depth(alpha(lost.id, where)));
-  behind.weight = add_saturating(behind.weight, to_fixed(where.coverage));
+void k_buffer_shadow::lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) {
   texel& t = texel_[index(x, y)];
-  t.farthest = std::max(t.farthest, lost.depth);
+  for (const auto& [segment, where] : lost) {
+    behind.optical = add_saturating(behind.optical, optical_depth(alpha(segment, where)));
+    behind.weight = add_saturating(behind.weight, to_fixed(where.coverage));
+    t.farthest = std::max(t.farthest, where.depth);
+  }
 }
 
-void k_buffer_shadow::finish(int x, int y, std::span<const fragment> nearest, const tail& behind) {
+void k_buffer_shadow::finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) {
   texel& t = texel_[index(x, y)];
   t.count = static_cast<std::uint32_t>(nearest.size());
   t.behind = behind.optical;
   std::uint32_t optical = 0;
   std::uint32_t coverage = behind.weight;
   entry* out = entry_.data() + first_[index(x, y)];
-  for (const fragment& f : nearest) {
-    const touch where = from().at(f.id, x, y);
-    optical = add_saturating(optical, optical_depth(alpha(f.id, where)));
+  for (const auto& [segment, where] : nearest) {
+    optical = add_saturating(optical, optical_depth(alpha(segment, where)));
     coverage = add_saturating(coverage, to_fixed(where.coverage));
-    *out++ = entry{f.depth, optical};
+    *out++ = entry{where.depth, optical};
   }
   set_sums(index(x, y), coverage, add_saturating(optical, behind.optical));
 }

@@ -21,8 +21,8 @@ class k_buffer_shadow final : public shadow_map, public pixel_visitor {
   k_buffer_shadow(const raster& from, const solids& opaque, std::uint32_t k, bool translucent = true);
 
   void expect(std::span<const std::uint32_t> fragments_per_pixel) override;
-  void lose(int x, int y, fragment lost, const touch& where, tail& behind) override;
-  void finish(int x, int y, std::span<const fragment> nearest, const tail& behind) override;
+  void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) override;
+  void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override;
 
  private:
   struct entry {
