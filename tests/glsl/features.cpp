@@ -49,6 +49,7 @@ TEST_CASE("Every feature of the subset means the same in GLSL") {
               out.put(features::half_pi<float>);
               out.put(features::folded(a.x));
               out.put(features::operators(features::sample_pair::of(a.x, a.y), a.z));
+              out.put(features::by_type(a.x));
             },
             {{"switch", 1, bits(), bits()},
              {"loops", 1, bits(), bits()},
@@ -66,7 +67,8 @@ TEST_CASE("Every feature of the subset means the same in GLSL") {
              {"tables", 1, 0, 0},
              {"variable templates", 1, 0, 0},
              {"folded constants", 1, 0, 0},
-             {"operators", 1, 0, 0}});
+             {"operators", 1, 0, 0},
+             {"branches by type", 1, 0, 0}});
   });
 }
 
