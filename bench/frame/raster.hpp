@@ -45,6 +45,12 @@ class raster {
   /// The pixels of the view that the segment may touch; empty (x0 >= x1 or y0 >= y1) when there are none.
   [[nodiscard]] pixel_rect bounds(std::uint32_t segment) const { return outline_of(segment).box; }
 
+  /// From end to end in pixels; an end nearer than the near plane is taken to lie on it.
+  [[nodiscard]] float length_on_screen(std::uint32_t segment) const {
+    const std::uint32_t i = fibres_.segment[segment];
+    return glm::length(pixel_[i + 1] - pixel_[i]);
+  }
+
   [[nodiscard]] const strands& fibres() const { return fibres_; }
   [[nodiscard]] const view& from() const { return view_; }
 
