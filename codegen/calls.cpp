@@ -97,8 +97,7 @@ std::string translator::call(const CallExpr* c, position at) {
   if (is_std(f) || is_glm(f) || f->getBuiltinID() != 0) return library_call(c, f);
   if (f->isVariadic()) return reject(c->getBeginLoc(), "variadic function");
   if (isa<CXXConversionDecl>(f)) return reject(c->getBeginLoc(), "conversion operator");
-  require_function(f);
-  need(f, c->getBeginLoc());
+  const std::string name = use(f, c->getBeginLoc());
   bind_sizes(f, c->getCallee());
   const bool through_storage = object != nullptr && is_storage_type(object->getType());
   if (through_storage && !cast<CXXMethodDecl>(f)->isConst() && at == position::part) {
@@ -106,7 +105,7 @@ std::string translator::call(const CallExpr* c, position at) {
   }
   const auto* method = dyn_cast<CXXMethodDecl>(f);
   const bool no_self = through_storage || (method != nullptr && method->isStatic());
-  return global_name(f) + "(" + arguments(f, args, no_self ? nullptr : object, c, at) + ")";
+  return name + "(" + arguments(f, args, no_self ? nullptr : object, c, at) + ")";
 }
 
 /// Functions of std:: and glm::.

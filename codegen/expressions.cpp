@@ -276,9 +276,7 @@ std::string translator::reference(const DeclRefExpr* r) {
   if (const auto* e = dyn_cast<EnumConstantDecl>(d)) {
     const auto* owner = cast<EnumDecl>(e->getDeclContext());
     if (owner->isInStdNamespace()) return "pelage_" + owner->getNameAsString() + "_" + e->getNameAsString();
-    require_enum(owner);
-    need(owner, r->getBeginLoc());
-    return global_name(owner) + "_" + e->getNameAsString();
+    return use(owner, r->getBeginLoc()) + "_" + e->getNameAsString();
   }
   const auto* v = dyn_cast<VarDecl>(d);
   if (isa<BindingDecl>(d) || (v != nullptr && v->isStaticLocal())) return d->getNameAsString();  // told already
@@ -297,18 +295,14 @@ std::string translator::reference(const DeclRefExpr* r) {
     if (v->getType()->isEnumeralType()) return "pelage_" + v->getNameAsString();  // std::memory_order_relaxed
     return constant(r);
   }
-  require_constant(v);
-  need(v, r->getBeginLoc());
-  return global_name(v);
+  return use(v, r->getBeginLoc());
 }
 
 std::string translator::member(const MemberExpr* m) {
   const ValueDecl* d = m->getMemberDecl();
   if (const auto* v = dyn_cast<VarDecl>(d)) {
     if (!v->isConstexpr()) return reject(m->getBeginLoc(), "static data member that is not constexpr");
-    require_constant(v);
-    need(v, m->getBeginLoc());
-    return global_name(v);
+    return use(v, m->getBeginLoc());
   }
   const auto* f = dyn_cast<FieldDecl>(d);
   if (f == nullptr) return reject(m->getBeginLoc(), "`" + d->getNameAsString() + "` is not in the subset");

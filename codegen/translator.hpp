@@ -48,10 +48,8 @@ class translator {
   translator(clang::ASTContext& context, problems& found, unit_finder units)
       : context_(context), sources_(context.getSourceManager()), found_(found), unit_of_(std::move(units)) {}
 
-  void require_function(const clang::FunctionDecl* f);
-  void require_record(const clang::CXXRecordDecl* r);
-  void require_enum(const clang::EnumDecl* e);
-  void require_constant(const clang::VarDecl* v);
+  /// Asks for a function, a record, an enumeration or a constant.
+  void require(const clang::NamedDecl* d);
 
   /// Translates what was required and what that needs in turn, then checks the whole: recursion, overloads that
   /// became one, sizes seen only once.
@@ -68,7 +66,7 @@ class translator {
   void translate_constant(const clang::VarDecl* v);
   bool begin(const clang::NamedDecl* d);
   void end(const clang::NamedDecl* d);
-  void need(const clang::NamedDecl* d, clang::SourceLocation where);
+  std::string use(const clang::NamedDecl* d, clang::SourceLocation where);
   entity& slot(const clang::NamedDecl* d);
   std::string parameters(const clang::FunctionDecl* f);
   void check_alike(const entity& one, const entity& other, clang::SourceLocation where);
@@ -165,7 +163,7 @@ class translator {
 
   std::map<const clang::Decl*, std::unique_ptr<entity>> entities_;  ///< by the pattern's canonical declaration
   std::set<const clang::Decl*> required_;                           ///< instantiations seen
-  std::deque<std::function<void()>> waiting_;
+  std::deque<const clang::NamedDecl*> waiting_;
   std::map<std::string, std::set<std::string>> sizes_seen_;  ///< arguments of each template with a size
   std::map<std::string, clang::SourceLocation> size_places_;
 

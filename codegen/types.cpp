@@ -138,8 +138,7 @@ glsl_type translator::type_of(QualType t, SourceLocation where) {
   }
   if (const auto* e = t->getAs<EnumType>()) {
     if (!is_std(e->getDecl(), "memory_order")) {
-      require_enum(e->getDecl());
-      need(e->getDecl(), where);
+      use(e->getDecl(), where);
       result.name = scalar_type(e->getDecl()->getIntegerType(), where);
     } else {
       result.name = "int";
@@ -176,10 +175,8 @@ glsl_type translator::type_of(QualType t, SourceLocation where) {
     result.name = reject(where, "lambda");
     return result;
   }
-  require_record(record);
-  need(record, where);
   bind_sizes(t);
-  result.name = global_name(record);
+  result.name = use(record, where);
   return result;
 }
 
