@@ -114,10 +114,13 @@ class translator {
   // calls.cpp
   std::string call(const clang::CallExpr* c, position at);
   std::string operator_call(const clang::CXXOperatorCallExpr* c, position at);
-  std::string library_call(const clang::CallExpr* c, const clang::FunctionDecl* f);
   std::string construct(const clang::CXXConstructExpr* c);
   std::string arguments(const clang::FunctionDecl* f, const std::vector<const clang::Expr*>& args,
                         const clang::Expr* object, const clang::Expr* whole_call, position at);
+
+  // library.cpp
+  std::string library_call(const clang::CallExpr* c, const clang::FunctionDecl* f);
+  std::string bit_cast(const clang::CallExpr* c);
 
   // storage.cpp
   bool storage_expression(const clang::Expr* e, std::string& text, position at);
