@@ -129,13 +129,11 @@ std::string translator::construct(const CXXConstructExpr* c) {
   if (made->isCopyOrMoveConstructor() && c->getNumArgs() == 1) return expression(c->getArg(0));
   if (vector) {
     if (c->getNumArgs() == 0) return reject(c->getBeginLoc(), "vector without a value");
-    std::string text;
-    for (const Expr* a : c->arguments())
-      text += (text.empty() ? "" : ", ") + expression(a);
-    return type_of(c->getType(), c->getBeginLoc()).text() + "(" + text + ")";
+    const std::vector<const Expr*> values(c->arg_begin(), c->arg_end());
+    return type_of(c->getType(), c->getBeginLoc()).text() + "(" + listed(values) + ")";
   }
-  if (c->getNumArgs() == 0 && made->isTrivial()) return zero(c->getType(), c->getBeginLoc());
-  if (c->getNumArgs() == 0 && !made->isUserProvided()) return zero(c->getType(), c->getBeginLoc());
+  if (c->getNumArgs() == 0 && (made->isTrivial() || !made->isUserProvided()))
+    return zero(c->getType(), c->getBeginLoc());
   return reject(c->getBeginLoc(), "constructor of " + made->getParent()->getQualifiedNameAsString() +
                                       ": only aggregates are in the subset");
 }

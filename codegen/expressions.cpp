@@ -322,29 +322,21 @@ std::string translator::initializer_list(const InitListExpr* l) {
     if (l->getNumInits() == 0) return zero(type, l->getBeginLoc());
     return l->getNumInits() == 1 ? expression(l->getInit(0)) : reject(l->getBeginLoc(), "list of values");
   }
+  const std::vector<const Expr*> values(l->inits().begin(), l->inits().end());
   QualType element;
   std::string extent;
-  const std::vector<const Expr*> values(l->inits().begin(), l->inits().end());
-  if (is_array(type, element, extent, l->getBeginLoc())) {
-    const auto* inner = values.empty() ? nullptr : dyn_cast<InitListExpr>(values.front()->IgnoreImplicit());
-    const std::string name = type_of(type, l->getBeginLoc()).text();
-    const unsigned given = inner == nullptr ? 0 : inner->getNumInits();
-    const unsigned count = count_of(type, element, l->getBeginLoc());
-    if (count == 0 || count > given + 16) {
-      return reject(l->getBeginLoc(), "an array of many zeros: declare it without a value and fill it in a loop");
-    }
-    std::string parts;
-    for (unsigned i = 0; i < count; ++i) {
-      parts += i == 0 ? "" : ", ";
-      parts += i < given ? expression(inner->getInit(i)) : zero(element, l->getBeginLoc());
-    }
-    return name + "(" + parts + ")";
-  }
-  const std::string name = type_of(type, l->getBeginLoc()).text();
-  std::string parts;
+  if (!is_array(type, element, extent)) return type_of(type, l->getBeginLoc()).text() + "(" + listed(values) + ")";
+  const auto* inner = values.empty() ? nullptr : dyn_cast<InitListExpr>(values.front()->IgnoreImplicit());
+  std::vector<const Expr*> elements;
+  if (inner != nullptr) elements.assign(inner->inits().begin(), inner->inits().end());
+  return array_value(type, elements, l->getBeginLoc());
+}
+
+std::string translator::listed(const std::vector<const Expr*>& values) {
+  std::string text;
   for (const Expr* value : values)
-    parts += (parts.empty() ? "" : ", ") + expression(value);
-  return name + "(" + parts + ")";
+    text += (text.empty() ? "" : ", ") + expression(value);
+  return text;
 }
 
 }  // namespace pelage::codegen

@@ -79,12 +79,14 @@ class translator {
 
   // types.cpp
   glsl_type type_of(clang::QualType t, clang::SourceLocation where);
+  std::string element_type(clang::QualType t, clang::SourceLocation where);
   static const clang::Expr* without_conversions(const clang::Expr* e);
   std::string size_expression(const clang::Expr* e);
   std::string scalar_type(clang::QualType t, clang::SourceLocation where);
-  unsigned count_of(clang::QualType array, clang::QualType& element, clang::SourceLocation where);
+  std::string array_value(clang::QualType array, const std::vector<const clang::Expr*>& given,
+                          clang::SourceLocation where);
   std::string zero(clang::QualType t, clang::SourceLocation where);
-  bool is_array(clang::QualType t, clang::QualType& element, std::string& extent, clang::SourceLocation where);
+  bool is_array(clang::QualType t, clang::QualType& element, std::string& extent);
 
   // sizes.cpp
   std::string size_name(const clang::NonTypeTemplateParmDecl* p, clang::SourceLocation where);
@@ -105,6 +107,7 @@ class translator {
   std::string conversion(const clang::CastExpr* c, position at);
   std::string reference(const clang::DeclRefExpr* r);
   std::string member(const clang::MemberExpr* m);
+  std::string listed(const std::vector<const clang::Expr*>& values);
   std::string initializer_list(const clang::InitListExpr* l);
   std::string constant(const clang::Expr* e);
   bool fold(const clang::Expr* e, double& value);
@@ -150,6 +153,7 @@ class translator {
   std::string comments_before(unsigned offset, unsigned& line);
   std::string comment_beside(clang::SourceLocation end);
   unsigned offset(clang::SourceLocation l) const { return sources_.getFileOffset(sources_.getExpansionLoc(l)); }
+  clang::FileID file(clang::SourceLocation l) const { return sources_.getFileID(sources_.getExpansionLoc(l)); }
   unsigned line(clang::SourceLocation l) const { return sources_.getExpansionLineNumber(l); }
 
   struct comment {
