@@ -64,9 +64,12 @@ void sink_lose(pelage_fragment f) {
   sink_behind = pelage_add_fragment(sink_behind, fibre.opacity * fibre.coverage, fibre.radiance);
 }
 
-void sink_keep(pelage_fragment f) {
-  const seen_fibre fibre = see(f);
+void sink_add(seen_fibre fibre) {
   sink_pixel = pelage_add_fibre(sink_pixel, fibre.radiance, vec3(1.0 - fibre.opacity), fibre.coverage);
+}
+
+void sink_keep(pelage_fragment f) {
+  sink_add(see(f));
 }
 
 void sink_finish(ivec2 at) {
