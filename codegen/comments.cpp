@@ -8,10 +8,8 @@ namespace pelage::codegen {
 
 using namespace clang;
 
-/// The /// lines right above a declaration.
-std::string translator::doc_above(SourceLocation declaration) {
-  const llvm::StringRef text = sources_.getBufferData(sources_.getFileID(sources_.getExpansionLoc(declaration)));
-  std::size_t begin = text.rfind('\n', offset(declaration));
+std::string doc_lines_above(llvm::StringRef text, std::size_t offset) {
+  std::size_t begin = text.rfind('\n', offset);
   std::string doc;
   while (begin != llvm::StringRef::npos && begin > 0) {
     const std::size_t previous = text.rfind('\n', begin);
@@ -22,6 +20,12 @@ std::string translator::doc_above(SourceLocation declaration) {
     begin = previous;
   }
   return doc;
+}
+
+/// The /// lines right above a declaration.
+std::string translator::doc_above(SourceLocation declaration) {
+  return doc_lines_above(sources_.getBufferData(sources_.getFileID(sources_.getExpansionLoc(declaration))),
+                         offset(declaration));
 }
 
 /// The ///< comment behind a declaration, with lines that continue it.

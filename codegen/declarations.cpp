@@ -224,7 +224,9 @@ void translator::translate_record(const CXXRecordDecl* r) {
     text += type_of(f->getType(), f->getLocation()).declare(f->getNameAsString()) + ";  " + doc + "\n";
   }
   fresh_->declaration = text + "};";
-  record_conditions(r, *fresh_->where);
+  for (const Decl* d : r->decls()) {
+    if (const auto* check = dyn_cast<StaticAssertDecl>(d)) note_condition(check);
+  }
   end(r);
 }
 

@@ -92,10 +92,12 @@ class generator : public ASTConsumer {
     for (const auto& [file, u] : units_) {
       if (u && !u->mirrored && !u->entities.empty()) files_.emplace_back(u->path, file_text(*u, found));
     }
-    const bool atomics = std::any_of(units_.begin(), units_.end(), [](const auto& u) {
-      return u.second && u.second->uses_atomics && !u.second->mirrored;
-    });
-    if (atomics) files_.emplace_back(memory_order_path, memory_order_text());
+    const auto any = [this](bool unit::*uses) {
+      return std::any_of(units_.begin(), units_.end(),
+                         [&](const auto& u) { return u.second && (*u.second).*uses && !u.second->mirrored; });
+    };
+    if (any(&unit::uses_atomics)) files_.emplace_back(memory_order_path, memory_order_text());
+    if (any(&unit::uses_atomic_int64)) files_.emplace_back(memory_order_64_path, memory_order_64_text());
     if (files_.empty() && found.none()) {
       std::cerr << settings_.instantiate << ": error: nothing to translate\n";
       failed_ = true;
@@ -160,9 +162,7 @@ class generator : public ASTConsumer {
         const bool free = f->getDescribedFunctionTemplate() == nullptr && !isa<CXXMethodDecl>(f);
         if (free && f->doesThisDeclarationHaveABody()) t.require_function(f);
       } else if (const auto* pattern = dyn_cast<FunctionTemplateDecl>(d)) {
-        for (const FunctionDecl* f : pattern->specializations()) {
-          if (f->getTemplateSpecializationKind() == TSK_ExplicitInstantiationDefinition) t.require_function(f);
-        }
+        instantiated(pattern, t);
       } else if (const auto* classes = dyn_cast<ClassTemplateDecl>(d)) {
         for (const ClassTemplateSpecializationDecl* r : classes->specializations()) {
           if (r->getSpecializationKind() == TSK_ExplicitInstantiationDefinition) record(r, t);
@@ -181,12 +181,20 @@ class generator : public ASTConsumer {
     }
   }
 
+  void instantiated(const FunctionTemplateDecl* pattern, translator& t) {
+    for (const FunctionDecl* f : pattern->specializations()) {
+      if (f->getTemplateSpecializationKind() == TSK_ExplicitInstantiationDefinition) t.require_function(f);
+    }
+  }
+
   void record(const CXXRecordDecl* r, translator& t) {
     t.require_record(r);
     for (const Decl* d : r->decls()) {
       if (const auto* m = dyn_cast<CXXMethodDecl>(d)) {
         if (!m->isImplicit() && !m->isDefaulted() && !m->isDeleted() && !isa<CXXConstructorDecl>(m))
           t.require_function(m);
+      } else if (const auto* pattern = dyn_cast<FunctionTemplateDecl>(d)) {
+        instantiated(pattern, t);
       } else if (const auto* v = dyn_cast<VarDecl>(d)) {
         if (v->isConstexpr()) t.require_constant(v);
       } else if (const auto* e = dyn_cast<EnumDecl>(d)) {
@@ -204,21 +212,18 @@ class generator : public ASTConsumer {
     return u != nullptr && !u->mirrored;
   }
 
-  /// What stands above a namespace tells about the whole header.
+  /// What stands above a namespace, or by itself at its beginning, tells about the whole header.
   void note_doc(const NamespaceDecl* space) {
     if (!wanted(space)) return;
     unit* u = find(sources_.getFileID(sources_.getExpansionLoc(space->getLocation())));
+    if (u == nullptr || !u->doc.empty()) return;
     const llvm::StringRef text = sources_.getBufferData(sources_.getFileID(space->getBeginLoc()));
-    std::size_t end = text.rfind('\n', sources_.getFileOffset(space->getBeginLoc()));
-    std::string doc;
-    while (end != llvm::StringRef::npos && end > 0) {
-      const std::size_t previous = text.rfind('\n', end);
-      const llvm::StringRef line = text.slice(previous == llvm::StringRef::npos ? 0 : previous + 1, end).trim();
-      if (!line.startswith("///")) break;
-      doc = line.str() + "\n" + doc;
-      end = previous;
-    }
-    if (u != nullptr && u->doc.empty()) u->doc = doc;
+    const std::size_t begin = sources_.getFileOffset(space->getBeginLoc());
+    u->doc = doc_lines_above(text, begin);
+    if (!u->doc.empty()) return;
+    const llvm::StringRef inside = text.substr(text.find('{', begin) + 1).ltrim();
+    const std::string doc = doc_lines_above(inside, inside.find("\n\n") + 1);
+    if (inside.startswith(doc)) u->doc = doc;
   }
 
   const settings& settings_;

@@ -46,12 +46,6 @@ struct entity {
   [[nodiscard]] bool is_function() const { return !body.empty(); }
 };
 
-/// A macro through which a shader picks a template's size.
-struct size_macro {
-  std::string value;                                            ///< the default
-  std::vector<std::pair<std::string, std::string>> conditions;  ///< static_asserts over it: condition, message
-};
-
 /// A cell or a span of cells that the shader provides.
 struct cell {
   std::string call;  ///< how the mirror writes it: MACRO or MACRO(i)
@@ -67,7 +61,8 @@ struct unit {
   bool mirrored = false;  ///< already there: a library header seen from a user's
   std::string mirror_text;
   std::vector<const entity*> entities;
-  std::map<std::string, size_macro> sizes;
+  std::map<std::string, std::string> sizes;       ///< macros through which a shader picks a template's size: defaults
+  std::map<std::string, std::string> conditions;  ///< static_asserts over them: condition, message
   std::map<std::string, cell> cells;
   bool uses_atomics = false;
   bool uses_int64 = false;
@@ -77,9 +72,11 @@ struct unit {
 /// The whole text of one .glsl, formatted.
 [[nodiscard]] std::string file_text(const unit& u, problems& found);
 
-/// The text of the file that every file with atomics includes, and its path below the output folder.
+/// What files with atomics include: the texts, and their paths below the output folder.
 [[nodiscard]] std::string memory_order_text();
+[[nodiscard]] std::string memory_order_64_text();
 inline constexpr const char* memory_order_path = "core/memory_order.glsl";
+inline constexpr const char* memory_order_64_path = "core/memory_order_64.glsl";
 
 /// The header that holds every file's text, includes resolved: path and text of each, dependencies first.
 [[nodiscard]] std::string strings_header(const std::vector<std::pair<std::string, std::string>>& files);

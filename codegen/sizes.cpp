@@ -9,23 +9,38 @@ using namespace clang;
 
 namespace {
 
-std::string macro_name(const TemplateDecl* t, unsigned index) {
-  const auto* first = cast<TemplateDecl>(t->getCanonicalDecl());
-  return upper(global_name(first->getTemplatedDecl()) + "_" +
-               first->getTemplateParameters()->getParam(index)->getNameAsString());
-}
-
 bool is_size(const NamedDecl* parameter) {
   const auto* value = dyn_cast<NonTypeTemplateParmDecl>(parameter);
   return value != nullptr && value->getType()->isIntegerType() && !value->getType()->isBooleanType();
 }
 
+/// Whose size a template's parameter `name` is: a function's is that of the struct beside it in the header that has one
+/// of this name, else that of its namespace where that is one structure's own; any other template's is its own.
+const NamedDecl* owner_of_size(const TemplateDecl* t, llvm::StringRef name) {
+  const auto* space = dyn_cast<NamespaceDecl>(t->getDeclContext());
+  if (!isa<FunctionTemplateDecl>(t) || space == nullptr) return t->getTemplatedDecl();
+  for (const Decl* d : space->decls()) {
+    const auto* beside = dyn_cast<ClassTemplateDecl>(d);
+    if (beside == nullptr) continue;
+    for (const NamedDecl* p : *beside->getTemplateParameters()) {
+      if (is_size(p) && p->getName() == name) return beside->getTemplatedDecl();
+    }
+  }
+  return isa<NamespaceDecl>(space->getDeclContext()) ? cast<NamedDecl>(space) : t->getTemplatedDecl();
+}
+
+std::string macro_name(const TemplateDecl* t, unsigned index) {
+  const auto* first = cast<TemplateDecl>(t->getCanonicalDecl());
+  const std::string name = first->getTemplateParameters()->getParam(index)->getNameAsString();
+  return upper(global_name(owner_of_size(first, name)) + "_" + name);
+}
+
 const TemplateArgumentList* arguments_of(const Decl* d, const TemplateDecl*& pattern) {
-  if (const auto* r = dyn_cast<ClassTemplateSpecializationDecl>(d)) {
+  if (const auto* r = dyn_cast_or_null<ClassTemplateSpecializationDecl>(d)) {
     pattern = r->getSpecializedTemplate();
     return &r->getTemplateArgs();
   }
-  if (const auto* f = dyn_cast<FunctionDecl>(d); f != nullptr && f->getPrimaryTemplate() != nullptr) {
+  if (const auto* f = dyn_cast_or_null<FunctionDecl>(d); f != nullptr && f->getPrimaryTemplate() != nullptr) {
     pattern = f->getPrimaryTemplate();
     return f->getTemplateSpecializationArgs();
   }
@@ -93,11 +108,23 @@ void translator::set_templates(const Decl* d) {
   }
 }
 
-/// The first instantiation gives the macro's default; all are counted, since two must come out alike.
+/// The first instantiation gives the macro's default; all are counted, since two must come out alike. The sizes of a
+/// type that is a template's argument are the template's too.
 void translator::note_sizes(const NamedDecl* owner, const TemplateDecl* pattern,
                             const TemplateArgumentList& arguments) {
   std::string values;
   for (unsigned i = 0; i < arguments.size(); ++i) {
+    if (arguments[i].getKind() == TemplateArgument::Type) {
+      const TemplateDecl* of = nullptr;
+      const TemplateArgumentList* sizes = arguments_of(arguments[i].getAsType()->getAsCXXRecordDecl(), of);
+      const bool ours = sizes != nullptr && unit_of_(sources_.getFileID(sources_.getExpansionLoc(of->getLocation())));
+      for (unsigned j = 0; ours && j < sizes->size(); ++j) {
+        if (!is_size(of->getTemplateParameters()->getParam(j))) continue;
+        size_values_.emplace_back(macro_name(of, j), (*sizes)[j].getAsIntegral());
+        values += llvm::toString((*sizes)[j].getAsIntegral(), 10) + " ";
+      }
+      continue;
+    }
     const NamedDecl* parameter = pattern->getTemplateParameters()->getParam(i);
     if (!is_size(parameter)) continue;
     std::string name = macro_name(pattern, i);
@@ -108,7 +135,7 @@ void translator::note_sizes(const NamedDecl* owner, const TemplateDecl* pattern,
     values += value + " ";
     if (alias != aliases_.end()) continue;
     if (unit* u = unit_of_(sources_.getFileID(sources_.getExpansionLoc(pattern->getLocation())))) {
-      u->sizes.try_emplace(name, size_macro{value, {}});
+      u->sizes.try_emplace(name, value);
     }
   }
   if (!values.empty()) {
@@ -118,19 +145,14 @@ void translator::note_sizes(const NamedDecl* owner, const TemplateDecl* pattern,
   }
 }
 
-/// static_assert over sizes alone becomes an #error in the mirror.
-void translator::record_conditions(const CXXRecordDecl* r, unit& u) {
-  for (const Decl* d : r->decls()) {
-    const auto* check = dyn_cast<StaticAssertDecl>(d);
-    if (check == nullptr || size_values_.empty() || check->getMessage() == nullptr) continue;
-    size_macro& size = u.sizes[size_values_.front().first];
-    if (!size.conditions.empty()) continue;
-    std::string condition = expression(check->getAssertExpr()->IgnoreImplicit());
-    for (std::size_t i = condition.find('u'); i != std::string::npos; i = condition.find('u', i + 1)) {
-      if (i > 0 && isdigit(static_cast<unsigned char>(condition[i - 1])) != 0) condition.erase(i, 1);
-    }
-    size.conditions.emplace_back(condition, check->getMessage()->getString().str());
+/// A static_assert over sizes becomes an #error in the mirror.
+void translator::note_condition(const StaticAssertDecl* check) {
+  if (check->getMessage() == nullptr || !has_size(check->getAssertExpr())) return;
+  std::string condition = expression(check->getAssertExpr()->IgnoreImplicit());
+  for (std::size_t i = condition.find('u'); i != std::string::npos; i = condition.find('u', i + 1)) {
+    if (i > 0 && isdigit(static_cast<unsigned char>(condition[i - 1])) != 0) condition.erase(i, 1);
   }
+  fresh_->where->conditions.emplace(condition, check->getMessage()->getString().str());
 }
 
 /// What the size of something used here is, in terms of the sizes here: as written in `f<2u * K>`, else the size here
@@ -138,15 +160,15 @@ void translator::record_conditions(const CXXRecordDecl* r, unit& u) {
 void translator::bind_size(const TemplateDecl* of, unsigned index, const TemplateArgument& value,
                            const TemplateArgument* written) {
   if (!fresh_ || !is_size(of->getTemplateParameters()->getParam(index))) return;
+  const std::string name = macro_name(of, index);
   std::string text = llvm::toString(value.getAsIntegral(), 10);
-  for (const auto& [name, mine] : size_values_) {
-    if (llvm::APSInt::isSameValue(mine, value.getAsIntegral())) text = name;
+  for (const auto& [mine, size] : size_values_) {
+    if (text != name && llvm::APSInt::isSameValue(size, value.getAsIntegral())) text = mine;
   }
   if (written != nullptr && written->getKind() == TemplateArgument::Expression) {
     text = size_expression(written->getAsExpr());
   }
   if (text.find(' ') != std::string::npos) text = "(" + text + ")";
-  std::string name = macro_name(of, index);
   if (text != name) fresh_->bindings[name] = text;
 }
 

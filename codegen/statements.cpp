@@ -176,6 +176,7 @@ std::string translator::switch_statement(const SwitchStmt* s) {
 std::string translator::variables(const DeclStmt* s) {
   std::string text;
   for (const Decl* d : s->decls()) {
+    if (const auto* check = dyn_cast<StaticAssertDecl>(d)) note_condition(check);
     if (isa<StaticAssertDecl>(d) || isa<TypedefNameDecl>(d) || isa<UsingDecl>(d) || isa<UsingDirectiveDecl>(d)) {
       continue;
     }

@@ -105,10 +105,9 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
   if (place == nullptr) return reject(c->getBeginLoc(), "atomics: write std::atomic_ref(cell).operation(...)");
   const std::string target = expression(place);
   fresh_->where->uses_atomics = true;
-  if (context_.getTypeSize(place->getType()) == 64) {
-    fresh_->where->uses_int64 = true;
-    fresh_->where->uses_atomic_int64 = true;
-  }
+  const bool wide = context_.getTypeSize(place->getType()) == 64;
+  fresh_->where->uses_int64 |= wide;
+  fresh_->where->uses_atomic_int64 |= wide;
   const bool writes = name != "load";
   if (writes && at == position::part) {
     return reject(c->getBeginLoc(), "call with an effect inside an expression: give its result a name first");
@@ -120,7 +119,7 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
   const auto acquire = [&](const std::string& value, const std::string& order) {
     return order == "pelage_memory_order_relaxed" ? value : "pelage_acquire(" + value + ", " + order + ")";
   };
-  if (name == "load") return acquire(target, arg(0));
+  if (name == "load") return acquire(wide ? "PELAGE_LOAD_64(" + target + ")" : target, arg(0));
   if (name == "store") return "atomicExchange(" + target + ", " + release(arg(0), arg(1)) + ")";
   if (name == "compare_exchange_strong") {
     // It leaves in `expected` what it found, taken or not: the same as assigning the result.

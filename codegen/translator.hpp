@@ -35,6 +35,9 @@ enum class position { whole, part };
 /// True where a template's integer parameter stands in a statement, which a shader may set otherwise.
 [[nodiscard]] bool has_size(const clang::Stmt* s);
 
+/// The /// lines that end right above the line of an offset.
+[[nodiscard]] std::string doc_lines_above(llvm::StringRef text, std::size_t offset);
+
 /// Translates definitions into the entities of units. Every instantiation that is reached is translated; two of one
 /// template must come out alike, which proves that no size or type was lost on the way.
 class translator {
@@ -95,7 +98,7 @@ class translator {
   void bind_sizes(clang::QualType t);
   void note_sizes(const clang::NamedDecl* owner, const clang::TemplateDecl* pattern,
                   const clang::TemplateArgumentList& arguments);
-  void record_conditions(const clang::CXXRecordDecl* r, unit& u);
+  void note_condition(const clang::StaticAssertDecl* check);
 
   // expressions.cpp
   std::string expression(const clang::Expr* e, position at = position::part);

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 
 // Nanoseconds per evaluation, density, sample and construction of Chiang's model: the library's kernel, its form in
-// four lanes and its batches, against the plain implementation of plain_chiang.hpp in the same run. Options are those
-// of Google Benchmark; the runs are interleaved by default, and ratios to the plain form are printed at the end.
+// four lanes and its batches, against the plain implementation of plain_chiang.hpp in the same run. Usage:
+// pelage-bench-bsdf OUT.json [OPTION...], options of Google Benchmark; the runs are interleaved by default, and ratios
+// to the plain form are printed at the end.
 #include <pelage/bsdf/chiang_batch.hpp>
 #include <pelage/bsdf/chiang_quad.hpp>
 #include <pelage/bsdf/chiang_sampling.hpp>
 #include <bsdf/configurations.hpp>
 #include <bsdf/plain_chiang.hpp>
+#include <results.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -255,6 +257,8 @@ BENCHMARK(sample_quad);
 /// Gathers the repetitions and prints a table of medians at the end.
 class ratio_reporter : public benchmark::BenchmarkReporter {
  public:
+  [[nodiscard]] const bench::results& measured() const { return measured_; }
+
   bool ReportContext(const Context&) override { return true; }
 
   void ReportRuns(const std::vector<Run>& runs) override {
@@ -271,6 +275,7 @@ class ratio_reporter : public benchmark::BenchmarkReporter {
     for (auto& [name, times] : times_) {
       std::sort(times.begin(), times.end());
       const std::string task = name.substr(0, name.rfind('_'));
+      measured_.add(task, name.substr(name.rfind('_') + 1), times[times.size() / 2]);
       const auto plain = times_.find(task + "_plain");
       std::printf("%-28s %10.1f %10.1f %10.1f", name.c_str(), times[times.size() / 2], times.front(), times.back());
       if (plain != times_.end()) {
@@ -292,15 +297,20 @@ class ratio_reporter : public benchmark::BenchmarkReporter {
   }
 
   std::map<std::string, std::vector<double>> times_;
+  bench::results measured_{"nanoseconds for each element"};
 };
 
 }  // namespace
 
 int main(int count, char** words) {
+  if (count < 2 || words[1][0] == '-') {
+    std::fprintf(stderr, "usage: pelage-bench-bsdf OUT.json [OPTION...]\n");
+    return 2;
+  }
   // Defaults that the caller's options, coming later, override.
   std::vector<std::string> options = {words[0], "--benchmark_enable_random_interleaving=true",
                                       "--benchmark_repetitions=11", "--benchmark_min_time=0.02"};
-  options.insert(options.end(), words + 1, words + count);
+  options.insert(options.end(), words + 2, words + count);
   std::vector<char*> pointers;
   for (std::string& option : options) {
     pointers.push_back(option.data());
@@ -311,5 +321,12 @@ int main(int count, char** words) {
     return 2;
   }
   ratio_reporter reporter;
-  return benchmark::RunSpecifiedBenchmarks(&reporter) > 0 ? 0 : 1;
+  const bool any = benchmark::RunSpecifiedBenchmarks(&reporter) > 0;
+  try {
+    reporter.measured().write(words[1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "pelage-bench-bsdf: %s\n", error.what());
+    return 2;
+  }
+  return any ? 0 : 1;
 }

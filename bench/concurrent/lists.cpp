@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #include <pelage/order/a_buffer.hpp>
+#include <pelage/order/block_list_storage.hpp>
 #include <pelage/order/ordered_list.hpp>
 
 #include "contender.hpp"
@@ -13,12 +14,13 @@ namespace pelage::bench {
 
 namespace {
 
-/// Memory for atomic_list_storage.
+/// Memory for the storages, with room for what threads leave of their blocks.
 class pool_contender : public contender {
  public:
   void prepare(const workload& work) override {
-    links_.assign(work.list_count + work.offers.size(), 0u);
-    nodes_.assign(work.offers.size(), no_fragment());
+    const std::size_t capacity = work.offers.size() + 64u * block_list_storage::block_size();
+    links_.assign(work.list_count + capacity, 0u);
+    nodes_.assign(capacity, no_fragment());
     storage_ = atomic_list_storage{links_, nodes_, &taken_, &refused_};
     storage_.clear();
   }
@@ -37,7 +39,7 @@ class unordered : public pool_contender {
  public:
   [[nodiscard]] std::string name() const override { return "a_buffer"; }
   void insert(const workload& work, std::size_t first, std::size_t last) override {
-    atomic_list_storage storage = storage_;
+    block_list_storage storage(storage_);
     for (std::size_t i = first; i < last; ++i) {
       static_cast<void>(a_buffer::push(storage, work.offers[i].list, work.offers[i].offered));
     }
@@ -49,7 +51,7 @@ class ordered : public pool_contender {
  public:
   [[nodiscard]] std::string name() const override { return "ordered_list"; }
   void insert(const workload& work, std::size_t first, std::size_t last) override {
-    atomic_list_storage storage = storage_;
+    block_list_storage storage(storage_);
     for (std::size_t i = first; i < last; ++i) {
       static_cast<void>(
           ordered_list::insert(storage, work.offers[i].list, work.offers[i].offered, ordered_list::unlimited()));

@@ -4,6 +4,7 @@
 // Millions of inserts a second: every contender in turn, round after round, so that what else the machine does falls
 // on all of them; medians over the rounds.
 #include "contender.hpp"
+#include "results.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -51,7 +52,7 @@ double median(std::vector<double> values) {
 
 /// One table row a contender, one column a number of threads. False if contenders that keep an order disagree.
 bool race(const std::string& title, std::vector<std::unique_ptr<contender>> all, const workload& work, int rounds,
-          const std::vector<std::uint32_t>& thread_counts) {
+          const std::vector<std::uint32_t>& thread_counts, results& measured) {
   std::vector<std::vector<std::vector<double>>> times(all.size(), {thread_counts.size(), std::vector<double>()});
   std::uint64_t expected = 0;
   for (int round = 0; round < rounds; ++round) {
@@ -79,8 +80,9 @@ bool race(const std::string& title, std::vector<std::unique_ptr<contender>> all,
     fmt::print("\n| {} |", all[row]->name());
     for (std::size_t column = 0; column < thread_counts.size(); ++column) {
       const double took = median(times[row][column]);
-      fmt::print(" {:.2f} | {:.2f} |", static_cast<double>(work.offers.size()) * 1e-6 / took,
-                 median(times[0][column]) / took);
+      const double rate = static_cast<double>(work.offers.size()) * 1e-6 / took;
+      fmt::print(" {:.2f} | {:.2f} |", rate, median(times[0][column]) / took);
+      measured.add(title, fmt::format("{}, {} thread(s)", all[row]->name(), thread_counts[column]), rate);
     }
   }
   fmt::print("\n");
@@ -95,29 +97,38 @@ int main(int argc, char** argv) {
   int rounds = 9;
   std::uint32_t inserts = 1u << 18u;
   std::vector<std::uint32_t> threads = {1u, 2u};
+  std::string json;
   app.add_option("--rounds", rounds, "rounds; medians over them")->check(CLI::Range(1, 1000))->capture_default_str();
   app.add_option("--inserts", inserts, "fragments a run")
       ->check(CLI::Range(1u << 10u, 1u << 24u))
       ->capture_default_str();
   app.add_option("--threads", threads, "numbers of threads")->check(CLI::Range(1u, 64u))->capture_default_str();
+  app.add_option("--json", json, "a file for the numbers");
   CLI11_PARSE(app, argc, argv);
 
   bool right = true;
+  results measured("millions of inserts a second");
   for (const std::uint32_t length : {8u, 32u, 128u}) {
     auto all = list_contenders();
     for (auto& one : libcds_contenders()) {
       all.push_back(std::move(one));
     }
     const workload work = make_workload(inserts / length, length);
-    right = race(fmt::format("Lists of {}", length), std::move(all), work, rounds, threads) && right;
+    right = race(fmt::format("Lists of {}", length), std::move(all), work, rounds, threads, measured) && right;
   }
   for (const std::uint32_t k : {8u, 16u, 32u}) {
     for (const std::uint32_t times : {1u, 4u}) {
       const workload work = make_workload(inserts / (k * times), k * times);
-      right =
-          race(fmt::format("K = {}, {} fragments a pixel", k, k * times), slot_contenders(k), work, rounds, threads) &&
-          right;
+      right = race(fmt::format("K = {}, {} fragments a pixel", k, k * times), slot_contenders(k), work, rounds, threads,
+                   measured) &&
+              right;
     }
+  }
+  try {
+    if (!json.empty()) measured.write(json);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "pelage-concurrent: {}\n", error.what());
+    return 2;
   }
   return right ? 0 : 1;
 }

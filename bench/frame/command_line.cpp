@@ -17,12 +17,21 @@ const std::map<std::string, order_method> order_names{{"k_buffer", order_method:
                                                       {"a_buffer", order_method::a_buffer},
                                                       {"ordered_list", order_method::ordered_list},
                                                       {"atomic_k_buffer", order_method::atomic_k_buffer},
+                                                      {"two_pass_k_buffer", order_method::two_pass_k_buffer},
                                                       {"selection_sort", order_method::selection_sort},
                                                       {"full_sort", order_method::full_sort}};
 const std::map<std::string, components> component_names{{"single", components::single},
                                                         {"shadows", components::shadows},
                                                         {"translucency", components::translucency},
                                                         {"full", components::full}};
+const std::map<std::string, bsdf_model> model_names{{"kajiya_kay", bsdf_model::kajiya_kay},
+                                                    {"marschner", bsdf_model::marschner},
+                                                    {"chiang", bsdf_model::chiang},
+                                                    {"dual_scattering", bsdf_model::dual_scattering}};
+const std::map<std::string, hair_colour> colour_names{{"blond", hair_colour::blond},
+                                                      {"red", hair_colour::red},
+                                                      {"brown", hair_colour::brown},
+                                                      {"black", hair_colour::black}};
 
 template <class Value>
 std::vector<std::string> names(const std::map<std::string, Value>& all) {
@@ -50,6 +59,61 @@ void read_size(const std::string& text, frame_settings& settings) {
   const std::size_t cross = text.find('x');
   settings.width = number(text.substr(0, cross));
   settings.height = cross == std::string::npos ? settings.width : number(text.substr(cross + 1));
+}
+
+/// The options that say how fibres scatter light.
+struct look_options {
+  std::string model = name_of(bsdf_model::kajiya_kay);
+  std::string colour;                   ///< empty: none
+  std::vector<float> melanin;           ///< eumelanin and, if given, pheomelanin
+  std::vector<float> beta;              ///< along and, if given, round
+  std::vector<CLI::Option*> of_fibres;  ///< what Kajiya-Kay's model has no place for
+};
+
+void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
+  app.add_option("--bsdf", o.model, "how a fibre scatters light")
+      ->check(CLI::IsMember(names(model_names)))
+      ->capture_default_str();
+  CLI::Option* colour = app.add_option("--hair-colour", o.colour,
+                                       "pigment by name; without it and --melanin kajiya_kay draws the model's own "
+                                       "colours, the others brown hair")
+                            ->check(CLI::IsMember(names(colour_names)));
+  app.add_option("--melanin", o.melanin,
+                 "EUMELANIN[,PHEOMELANIN], [0, 100]: blond 0.3,0.05, red 0.35,1.6, brown 1.3,0.1, black 8")
+      ->delimiter(',')
+      ->expected(1, 2)
+      ->check(CLI::Range(0.0, 100.0))
+      ->excludes(colour);
+  o.of_fibres = {
+      app.add_option("--eta", look.eta, "index of refraction, [1, 3]")->check(CLI::Range(1.0, 3.0)),
+      app.add_option("--beta", o.beta, "ALONG[,ROUND]: roughness, [0.05, 1]; one number for both; marschner takes one")
+          ->delimiter(',')
+          ->expected(1, 2)
+          ->check(CLI::Range(0.05, 1.0))
+          ->default_str("0.3"),
+      app.add_option("--tilt", look.tilt, "of the cuticle's scales toward the tip, degrees, [-20, 20]")
+          ->check(CLI::Range(-20.0, 20.0))};
+  for (CLI::Option* option : o.of_fibres)
+    option->capture_default_str();
+}
+
+/// The look that the options ask for; throws std::invalid_argument where they do not go together.
+void read_look(const look_options& o, fibre_look& look) {
+  look.model = model_names.at(o.model);
+  for (const CLI::Option* option : o.of_fibres) {
+    if (look.model == bsdf_model::kajiya_kay && option->count() > 0) {
+      throw std::invalid_argument(option->get_name() + " needs --bsdf marschner, chiang or dual_scattering");
+    }
+  }
+  if (look.model == bsdf_model::marschner && o.beta.size() > 1) {
+    throw std::invalid_argument("--beta: marschner's fibre is smooth round its axis and takes one number");
+  }
+  if (!o.beta.empty()) {
+    look.beta_m = o.beta.front();
+    look.beta_n = o.beta.back();
+  }
+  if (!o.colour.empty()) look.pigment = melanin_of<float>(colour_names.at(o.colour));
+  if (!o.melanin.empty()) look.pigment = {o.melanin.front(), o.melanin.size() > 1 ? o.melanin.back() : 0.0F};
 }
 
 }  // namespace
@@ -92,6 +156,8 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--aa", antialias, "anti-aliasing, on or off")->check(CLI::IsMember({"on", "off"}));
   app.add_option("--alpha", s.opacity, "opacity of all fibres, [0, 1]; else the model's")->check(CLI::Range(0.0, 1.0));
+  look_options look;
+  add_look_options(app, look, s.look);
   app.add_option("--fibre-radius", s.fibre_radius, "of all fibres, model units; else the model's")
       ->check(CLI::Range(0.0, 1e12));
   app.add_option("--lights", lights,
@@ -117,6 +183,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   s.order = order_names.at(order);
   s.shown = component_names.at(shown);
   s.antialias = antialias == "on";
+  read_look(look, s.look);
   s.on_bust = c.hair.empty();
   c.on_device = device == "vulkan";
   for (const std::string& text : lights)
@@ -131,6 +198,10 @@ std::string name_of(order_method method) {
 
 std::string name_of(components shown) {
   return name_in(component_names, shown);
+}
+
+std::string name_of(bsdf_model model) {
+  return name_in(model_names, model);
 }
 
 }  // namespace pelage::frame

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <memory>
 
+#include "frame/shadows/k_buffer_shadow.hpp"
 #include "frame/stage.hpp"
 
 namespace pelage::frame {
@@ -28,7 +29,7 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const order_options options{settings.order, settings.k, set.drawing_order};
 
   frame_result result;
-  scene world{fibres, set.opaque, {}, set.round, set.sky, {}};
+  scene world{fibres, set.opaque, {}, set.round, set.sky, fibre_bsdf(settings.look)};
   const double passes = static_cast<double>(set.lights.size() + 1);
 
   // A map keeps pointers to its raster and view for its depths; they live as long as the scene.
@@ -40,11 +41,12 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
       progress(name, static_cast<double>(rasters.size()) / passes);
       const clock::time_point pass_start = clock::now();
       rasters.push_back(std::make_unique<raster>(fibres, set.light_views[i], true));
-      l.shadow =
-          std::make_unique<shadow_map>(*rasters.back(), world.opaque, settings.k, has_translucency(settings.shown));
+      auto map = std::make_unique<k_buffer_shadow>(*rasters.back(), world.opaque, settings.k,
+                                                   has_translucency(settings.shown));
       const double prepared = seconds_since(pass_start);
-      const order_report report = run_order_pass(*rasters.back(), l.shadow->limit(), options, *l.shadow);
-      result.passes.push_back({name, prepared, report, l.shadow->bytes()});
+      const order_report report = run_order_pass(*rasters.back(), map->limit(), options, *map);
+      result.passes.push_back({name, prepared, report, map->bytes()});
+      l.shadow = std::move(map);
     }
     world.lights.push_back(std::move(l));
   }

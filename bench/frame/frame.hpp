@@ -15,8 +15,8 @@
 namespace pelage::frame {
 
 /// What to draw and how. A model and its settings determine the picture, bit for bit: neither the number of threads,
-/// nor the drawing order, nor the choice among k_buffer, a_buffer, ordered_list and
-/// atomic_k_buffer changes it.
+/// nor the drawing order, nor the choice among k_buffer, a_buffer, ordered_list, atomic_k_buffer and
+/// two_pass_k_buffer changes it.
 struct frame_settings {
   int width = 640;  ///< pixels, [1, 16384]
   int height = 640;
@@ -24,6 +24,7 @@ struct frame_settings {
   order_method order = order_method::k_buffer;
   std::uint32_t k = 16;  ///< one of compiled_k
   components shown = components::full;
+  fibre_look look;  ///< how fibres scatter light
   bool antialias = true;
   std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera
   float opacity = -1.0F;          ///< of all fibres, [0, 1]; negative: the model's own

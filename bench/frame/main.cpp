@@ -58,6 +58,7 @@ nlohmann::json report_of(const command_line& c, const hair_model& model) {
           {"height", c.settings.height},
           {"order", name_of(c.settings.order)},
           {"components", name_of(c.settings.shown)},
+          {"bsdf", name_of(c.settings.look.model)},
           {"k", c.settings.k}};
 }
 
@@ -71,6 +72,7 @@ nlohmann::json report_of(const frame_result& frame) {
                       {"resolve_seconds", p.order.resolve_seconds},
                       {"fragments", p.order.fragments},
                       {"longest_list", p.order.longest},
+                      {"tail_fragments", p.order.behind},
                       {"refused", p.order.refused},
                       {"structure_bytes", p.order.bytes},
                       {"result_bytes", p.bytes}});

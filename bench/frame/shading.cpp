@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "frame/shading.hpp"
 
-#include <pelage/bsdf/kajiya_kay.hpp>
 #include <pelage/composite/radiance.hpp>
 #include <tbb/parallel_for.h>
 
@@ -10,6 +9,8 @@
 
 namespace pelage::frame {
 namespace {
+
+constexpr float sky_share = 0.30F;  ///< of the sky's light, what reaches every fibre through the others
 
 view_ray centre_ray(const view& eye, int x, int y) {
   return eye.ray({static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
@@ -24,15 +25,14 @@ glm::vec3 toward_eye(const view& from, const view_ray& ray) {
 glm::vec3 scene::fibre_radiance(std::uint32_t segment, float along, const glm::vec3& to_eye) const {
   const auto at = [&](const auto& value) { return fibres.mix(value, segment, along); };
   const glm::vec3 position = at(fibres.point);
-  const glm::vec3 tangent = glm::normalize(at(fibres.tangent));
-  const glm::vec3 colour = at(fibres.colour);
-  glm::vec3 sum = look.ambient * sky * colour;
+  const fibre_place place{glm::normalize(at(fibres.tangent)), to_eye, at(fibres.colour), at(fibres.opacity)};
+  glm::vec3 sum = sky_share * sky * bsdf.reflect_sky(place);
   for (const lit& l : lights) {
     const arrival in = light_at(l.source, bounds, position);
-    const float passed =
-        l.shadow ? l.shadow->transmittance_to(position, 2.0F * at(fibres.radius) + l.shadow->texel_at(position)) : 1.0F;
-    const kajiya_kay_lobes lobes = kajiya_kay(tangent, in.to_light, to_eye, look.exponent);
-    sum += passed * in.colour * (look.diffuse * lobes.diffuse * colour + glm::vec3(look.specular * lobes.specular));
+    const passage passed = l.shadow
+                               ? l.shadow->passed_to(position, 2.0F * at(fibres.radius) + l.shadow->texel_at(position))
+                               : passage{1.0F, 0.0F, 1.0F};
+    sum += in.colour * bsdf.scatter(place, in.to_light, passed);
   }
   return sum;
 }
@@ -93,26 +93,25 @@ float camera_film::visible_coverage(int x, int y, const touch& where) const {
   return where.coverage * (static_cast<float>(in_front) / static_cast<float>(samples));
 }
 
-float camera_film::opacity(fragment f, const touch& where) const {
-  return has_translucency(shown_) ? from_.mix(from_.fibres().opacity, f.id, where.along) : 1.0F;
+float camera_film::opacity(const seen_fragment& f) const {
+  return has_translucency(shown_) ? from_.mix(from_.fibres().opacity, f.id, f.where.along) : 1.0F;
 }
 
-glm::vec3 camera_film::radiance(fragment f, const touch& where, const view_ray& ray) const {
-  return world_.fibre_radiance(f.id, where.along, toward_eye(from_.from(), ray));
+glm::vec3 camera_film::radiance(const seen_fragment& f, const view_ray& ray) const {
+  return world_.fibre_radiance(f.id, f.where.along, toward_eye(from_.from(), ray));
 }
 
-void camera_film::lose(int x, int y, fragment lost, const touch& where, tail& behind) {
+void camera_film::lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) {
   const view_ray ray = centre_ray(from_.from(), x, y);
-  behind = add_fragment(behind, opacity(lost, where) * visible_coverage(x, y, where), radiance(lost, where, ray));
+  for (const seen_fragment& f : lost)
+    behind = add_fragment(behind, opacity(f) * visible_coverage(x, y, f.where), radiance(f, ray));
 }
 
-void camera_film::finish(int x, int y, std::span<const fragment> nearest, const tail& behind) {
+void camera_film::finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) {
   const view_ray ray = centre_ray(from_.from(), x, y);
   pixel_radiance<float> pixel = empty_pixel<float>();
-  for (const fragment& f : nearest) {
-    const touch where = from_.at(f.id, x, y);
-    pixel =
-        add_fibre(pixel, radiance(f, where, ray), glm::vec3(1.0F - opacity(f, where)), visible_coverage(x, y, where));
+  for (const seen_fragment& f : nearest) {
+    pixel = add_fibre(pixel, radiance(f, ray), glm::vec3(1.0F - opacity(f)), visible_coverage(x, y, f.where));
   }
   pixel = add_fibre(pixel, mean_colour(behind), glm::vec3(transmittance_of(behind)), 1.0F);
   picture_.at(x, y) = resolve(pixel, behind_fibres(x, y));

@@ -5,8 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "frame/fibre_bsdf.hpp"
 #include "frame/image.hpp"
 #include "frame/lights.hpp"
+#include "frame/opaque_depth.hpp"
 #include "frame/order_pass.hpp"
 #include "frame/shadow_map.hpp"
 #include "frame/solids.hpp"
@@ -34,22 +36,14 @@ struct lit {
   std::unique_ptr<shadow_map> shadow;
 };
 
-/// How a fibre answers light: Kajiya-Kay, and the sky's light from all sides.
-struct hair_look {
-  float diffuse = 0.55F;   ///< weight of the diffuse lobe on the hair's colour, [0, 1]
-  float specular = 0.22F;  ///< weight of the uncoloured highlight, [0, 1]
-  float exponent = 60.0F;  ///< of the highlight, [0, inf)
-  float ambient = 0.30F;   ///< share of the sky's light that reaches every fibre, [0, 1]
-};
-
 /// Everything that light meets, and what comes back to an eye.
 struct scene {
   const strands& fibres;
   solids opaque;
   std::vector<lit> lights;
   sphere bounds;  ///< of the fibres
-  glm::vec3 sky;  ///< light from all sides, linear RGB
-  hair_look look;
+  glm::vec3 sky;  ///< radiance from all sides, linear RGB
+  fibre_bsdf bsdf;
 
   /// Radiance of a fibre toward `to_eye` (unit) at a place on a segment, linear RGB.
   [[nodiscard]] glm::vec3 fibre_radiance(std::uint32_t segment, float along, const glm::vec3& to_eye) const;
@@ -73,8 +67,8 @@ class camera_film final : public pixel_visitor {
   [[nodiscard]] std::span<const float> limit() const { return limit_; }
 
   void expect(std::span<const std::uint32_t> fragments_per_pixel) override { (void)fragments_per_pixel; }
-  void lose(int x, int y, fragment lost, const touch& where, tail& behind) override;
-  void finish(int x, int y, std::span<const fragment> nearest, const tail& behind) override;
+  void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) override;
+  void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override;
 
   [[nodiscard]] const image& picture() const { return picture_; }
 
@@ -82,8 +76,8 @@ class camera_film final : public pixel_visitor {
   [[nodiscard]] std::size_t index(int x, int y) const;
   [[nodiscard]] glm::vec2 sample_position(int x, int y, int sample) const;
   [[nodiscard]] float visible_coverage(int x, int y, const touch& where) const;
-  [[nodiscard]] float opacity(fragment f, const touch& where) const;
-  [[nodiscard]] glm::vec3 radiance(fragment f, const touch& where, const view_ray& ray) const;
+  [[nodiscard]] float opacity(const seen_fragment& f) const;
+  [[nodiscard]] glm::vec3 radiance(const seen_fragment& f, const view_ray& ray) const;
   [[nodiscard]] glm::vec3 behind_fibres(int x, int y) const;
 
   const raster& from_;

@@ -2,123 +2,75 @@
 // SPDX-License-Identifier: MIT
 #include "frame/shadow_map.hpp"
 
-#include <pelage/composite/optical_depth.hpp>
-#include <tbb/parallel_for.h>
+#include <pelage/core/math.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace pelage::frame {
+namespace {
 
-float opaque_depth(const view& from, const solids& opaque, const glm::vec2& pixel) {
-  const view_ray ray = from.ray(pixel);
-  const glm::vec3 origin = from.eye + from.direction_to_world(ray.origin);
-  const auto hit = opaque.hit(origin, from.direction_to_world(ray.direction));
-  return hit ? hit->distance : std::numeric_limits<float>::infinity();
+constexpr float unit = 1.0F / 1048576.0F;  ///< of fixed-point sums, octaves or fibres
+
+}  // namespace
+
+shadow_map::shadow_map(const raster& from, const solids& opaque, bool translucent)
+    : from_(from),
+      translucent_(translucent),
+      limit_(opaque_depths(from.from(), opaque)),
+      fibres_per_octave_(limit_.size(), 0.0F) {
 }
 
-std::vector<float> opaque_depths(const view& from, const solids& opaque) {
-  const auto width = static_cast<std::size_t>(from.width);
-  std::vector<float> depth(width * static_cast<std::size_t>(from.height));
-  tbb::parallel_for(0, from.height, [&](int y) {
-    for (int x = 0; x < from.width; ++x) {
-      depth[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
-          opaque_depth(from, opaque, {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
-    }
-  });
-  return depth;
-}
-
-shadow_map::shadow_map(const raster& from, const solids& opaque, std::uint32_t k, bool translucent)
-    : from_(from), translucent_(translucent), limit_(opaque_depths(from.from(), opaque)) {
-  const std::vector<std::uint32_t> same(limit_.size(), k);
-  expect(same);
-  texel_.assign(limit_.size(), texel{0, 0, 0});
-}
-
-void shadow_map::expect(std::span<const std::uint32_t> fragments_per_pixel) {
-  first_.resize(fragments_per_pixel.size());
-  std::size_t total = 0;
-  for (std::size_t t = 0; t < first_.size(); ++t) {
-    first_[t] = total;
-    total += fragments_per_pixel[t];
-  }
-  entry_.resize(total);
-  entry_.shrink_to_fit();
-}
-
-float shadow_map::alpha(fragment f, const touch& where) const {
-  const float opacity = translucent_ ? from_.mix(from_.fibres().opacity, f.id, where.along) : 1.0F;
-  return opacity * where.coverage;
-}
-
-void shadow_map::lose(int x, int y, fragment lost, const touch& where, tail& behind) {
-  behind.optical = add_saturating(behind.optical, optical_depth(alpha(lost, where)));
-  texel& t = texel_[index(x, y)];
-  t.farthest = std::max(t.farthest, lost.depth);
-}
-
-void shadow_map::finish(int x, int y, std::span<const fragment> nearest, const tail& behind) {
-  texel& t = texel_[index(x, y)];
-  t.count = static_cast<std::uint32_t>(nearest.size());
-  t.behind = behind.optical;
-  std::uint32_t optical = 0;
-  entry* out = entry_.data() + first_[index(x, y)];
-  for (const fragment& f : nearest) {
-    optical = add_saturating(optical, optical_depth(alpha(f, from_.at(f.id, x, y))));
-    *out++ = entry{f.depth, optical};
-  }
-}
-
-float shadow_map::transmittance_in(std::size_t t, float depth) const {
-  const texel& here = texel_[t];
-  const entry* begin = entry_.data() + first_[t];
-  const entry* end = begin + here.count;
-  const bool behind_all = here.count > 0 && end[-1].depth < depth;
-  const entry* after =
-      behind_all ? end : std::partition_point(begin, end, [depth](const entry& e) { return e.depth < depth; });
-  std::uint32_t optical = after == begin ? 0 : after[-1].optical;
-  if (after == end && here.behind > 0) {
-    const float from = here.count > 0 ? end[-1].depth : 0.0F;
-    const float span = here.farthest - from;
-    const float share = span > 0.0F ? saturate((depth - from) / span) : 1.0F;
-    const float behind = std::min(static_cast<float>(here.behind), 4294967040.0F);  // the last float below 2^32
-    optical = add_saturating(optical, static_cast<std::uint32_t>(share * behind));
-  }
-  return transmittance_of(optical);
-}
-
-float shadow_map::transmittance_to(const glm::vec3& world, float bias) const {
+/// The bilinear mean of what the four texels nearest to a position have at its depth.
+template <class Value, class At>
+Value shadow_map::mean(const glm::vec3& world, float bias, Value outside, At&& at) const {
   const view& light = from_.from();
   const glm::vec3 p = light.to_view(world);
   const float depth = -p.z - bias;
-  if (depth <= light.near_plane) return 1.0F;
+  if (depth <= light.near_plane) return outside;
   const glm::vec2 pixel = light.to_pixel(p) - 0.5F;
   const glm::vec2 corner = glm::floor(pixel);
   const glm::vec2 weight = pixel - corner;
   if (!(corner.x >= 0.0F && corner.y >= 0.0F && corner.x < static_cast<float>(light.width - 1) &&
         corner.y < static_cast<float>(light.height - 1))) {
-    return 1.0F;
+    return outside;
   }
-  const int x = static_cast<int>(corner.x);
-  const int y = static_cast<int>(corner.y);
-  const auto through = [&](int dx, int dy) {
-    const std::size_t t = index(x + dx, y + dy);
-    return depth > limit_[t] ? 0.0F : transmittance_in(t, depth);
-  };
-  const float top = glm::mix(through(0, 0), through(1, 0), weight.x);
-  const float bottom = glm::mix(through(0, 1), through(1, 1), weight.x);
+  const std::size_t first = index(static_cast<int>(corner.x), static_cast<int>(corner.y));
+  const std::size_t below = first + static_cast<std::size_t>(light.width);
+  const Value top = glm::mix(at(first, depth), at(first + 1, depth), weight.x);
+  const Value bottom = glm::mix(at(below, depth), at(below + 1, depth), weight.x);
   return glm::mix(top, bottom, weight.y);
+}
+
+float shadow_map::transmittance_to(const glm::vec3& world, float bias) const {
+  return mean(world, bias, 1.0F, [this](std::size_t texel, float depth) {
+    return depth > limit_[texel] ? 0.0F : fast_exp2(-optical_before(texel, depth) * unit);
+  });
+}
+
+passage shadow_map::passed_to(const glm::vec3& world, float bias) const {
+  const glm::vec3 passed = mean(world, bias, glm::vec3(1.0F, 0.0F, 1.0F), [this](std::size_t texel, float depth) {
+    const bool hidden = depth > limit_[texel];
+    const float octaves = optical_before(texel, hidden ? std::numeric_limits<float>::infinity() : depth) * unit;
+    return glm::vec3(hidden ? 0.0F : fast_exp2(-octaves), octaves * fibres_per_octave_[texel], hidden ? 0.0F : 1.0F);
+  });
+  return {passed.x, passed.y, passed.z};
+}
+
+std::uint64_t shadow_map::bytes() const {
+  return texel_bytes() + (limit_.size() + fibres_per_octave_.size()) * sizeof(float);
 }
 
 float shadow_map::texel_at(const glm::vec3& world) const {
   return 2.0F * radius_at(from_.from().cone, -from_.from().to_view(world).z);
 }
 
-std::uint64_t shadow_map::bytes() const {
-  return first_.size() * sizeof(std::size_t) + texel_.size() * sizeof(texel) + entry_.size() * sizeof(entry) +
-         limit_.size() * sizeof(float);
+float shadow_map::alpha(std::uint32_t segment, const touch& where) const {
+  const float opacity = translucent_ ? from_.mix(from_.fibres().opacity, segment, where.along) : 1.0F;
+  return opacity * where.coverage;
+}
+
+void shadow_map::set_sums(std::size_t texel, std::uint32_t coverage, std::uint32_t optical) {
+  fibres_per_octave_[texel] = optical > 0 ? static_cast<float>(coverage) / static_cast<float>(optical) : 0.0F;
 }
 
 }  // namespace pelage::frame

@@ -34,9 +34,9 @@
 #include "frame/bust.hpp"
 #include "frame/hair_file.hpp"
 #include "frame/lights.hpp"
+#include "frame/opaque_depth.hpp"
 #include "frame/order_pass.hpp"
 #include "frame/output_file.hpp"
-#include "frame/shadow_map.hpp"
 #include "frame/strands.hpp"
 #include "frame/tfx_file.hpp"
 
@@ -60,10 +60,10 @@ class lists final : public pixel_visitor {
     for (const std::uint32_t n : fragments_per_pixel) first_.push_back(first_.back() + n);
     all_.resize(first_.back());
   }
-  void lose(int, int, fragment, const touch&, tail&) override {}
-  void finish(int x, int y, std::span<const fragment> nearest, const tail&) override {
+  void lose(int, int, std::span<const seen_fragment>, tail&) override {}
+  void finish(int x, int y, std::span<const seen_fragment> nearest, const tail&) override {
     sample* out = all_.data() + first_[static_cast<std::size_t>(y * from_.from().width + x)];
-    for (const fragment& f : nearest) *out++ = {f.depth, from_.at(f.id, x, y).coverage, f.id};
+    for (const auto& [segment, where] : nearest) *out++ = {where.depth, where.coverage, segment};
   }
 
   [[nodiscard]] std::size_t pixels() const { return first_.size() - 1; }

@@ -3,7 +3,7 @@
 
 // Nanoseconds per fragment put in and per look-up of every visibility structure, on one thread. All methods see the
 // same fragments and take turns in every round, so that what disturbs the machine disturbs all; the median round
-// counts. Usage: pelage-bench-visibility [FRAGMENTS_PER_TEXEL [ROUNDS]]
+// counts. Usage: pelage-bench-visibility OUT.json [ROUNDS]
 #include <pelage/composite/optical_depth.hpp>
 #include <pelage/core/fragment.hpp>
 #include <pelage/visibility/deep_shadow_map.hpp>
@@ -25,6 +25,8 @@
 #include <span>
 #include <string>
 #include <vector>
+
+#include "results.hpp"
 
 namespace {
 
@@ -100,11 +102,11 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-class bench {
+class race {
  public:
-  bench(std::size_t per_texel, int rounds) : scene_(per_texel), rounds_(rounds) {}
+  race(std::size_t per_texel, int rounds) : scene_(per_texel), rounds_(rounds) {}
 
-  void run() {
+  void run(bench::results& measured) {
     const std::size_t sort = add("std::sort of each texel's list", [this] {
       scratch_ = scene_.all;
       for (std::size_t t = 0; t < texels; ++t) {
@@ -135,10 +137,13 @@ class bench {
         each.nanoseconds.push_back(taken.count() / static_cast<double>(scene_.all.size()));
       }
     }
-    std::printf("%zu texels of %zu fragments, median of %d interleaved rounds\n\n", texels, scene_.per_texel, rounds_);
+    std::printf("\n%zu texels of %zu fragments, median of %d interleaved rounds\n\n", texels, scene_.per_texel,
+                rounds_);
     std::printf("| method | ns |\n| --- | ---: |\n");
     for (const task& each : tasks_) {
-      std::printf("| %s | %.2f |\n", each.name.c_str(), median(each.nanoseconds));
+      const double typical = median(each.nanoseconds);
+      std::printf("| %s | %.2f |\n", each.name.c_str(), typical);
+      measured.add(std::to_string(scene_.per_texel) + " fragments a texel", each.name, typical);
     }
     std::printf("\n| ratio | |\n| --- | ---: |\n");
     print_ratio("sorting over building an occupancy map, grouped by texel", sort, occupancy);
@@ -237,9 +242,9 @@ class bench {
       }
     }
     return add("occupancy 128/4, look up in batches", [this, maps] {
-      look_up_batches([&](std::size_t t, std::span<const float> positions, std::span<float> amounts) {
-        look_up_batch((*maps)[t], positions, amounts);
-      }, 128u);
+      look_up_batches([&](std::size_t t, std::span<const float> positions,
+                          std::span<float> amounts) { look_up_batch((*maps)[t], positions, amounts); },
+                      128u);
     });
   }
 
@@ -251,12 +256,14 @@ class bench {
       }
     }
     return add("deep opacity 4, look up in batches", [this, maps] {
-      look_up_batches([&](std::size_t t, std::span<const float> positions, std::span<float> amounts) {
-        const opacity_map<4u> map = (*maps)[t];
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-          amounts[i] = map.amount_before(positions[i]);
-        }
-      }, 4u);
+      look_up_batches(
+          [&](std::size_t t, std::span<const float> positions, std::span<float> amounts) {
+            const opacity_map<4u> map = (*maps)[t];
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+              amounts[i] = map.amount_before(positions[i]);
+            }
+          },
+          4u);
     });
   }
 
@@ -350,12 +357,20 @@ int number(const char* text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int per_texel = argc > 1 ? number(argv[1]) : 64;
   const int rounds = argc > 2 ? number(argv[2]) : 101;
-  if (argc > 3 || per_texel == 0 || rounds == 0) {
-    std::fprintf(stderr, "usage: pelage-bench-visibility [FRAGMENTS_PER_TEXEL [ROUNDS]]\n");
+  if (argc < 2 || argc > 3 || rounds == 0) {
+    std::fprintf(stderr, "usage: pelage-bench-visibility OUT.json [ROUNDS]\n");
     return 2;
   }
-  bench(static_cast<std::size_t>(per_texel), rounds).run();
+  bench::results measured("nanoseconds a fragment, one thread");
+  for (const std::size_t per_texel : {16u, 64u}) {
+    race(per_texel, rounds).run(measured);
+  }
+  try {
+    measured.write(argv[1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "pelage-bench-visibility: %s\n", error.what());
+    return 2;
+  }
   return kept == kept ? 0 : 1;
 }

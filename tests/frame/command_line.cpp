@@ -152,6 +152,30 @@ TEST_CASE("structures, threads and drawing orders leave the same file; other opt
   }
 }
 
+TEST_CASE("each model, colour, index, roughness and tilt leaves a picture of its own") {
+  const terminal t;
+  std::set<std::string> pictures;
+  std::size_t runs = 0;
+  for (const std::string options :
+       {"", "--bsdf marschner", "--bsdf chiang", "--bsdf dual_scattering", "--hair-colour blond",
+        "--bsdf chiang --hair-colour red", "--bsdf chiang --melanin 0.2", "--bsdf chiang --melanin 0.2,1.1",
+        "--bsdf chiang --eta 1.3", "--bsdf chiang --beta 0.2", "--bsdf chiang --beta 0.2,0.6",
+        "--bsdf marschner --tilt -10"}) {
+    CAPTURE(options);
+    REQUIRE(t.run(tiny + "--out a.png --report r.json " + options) == 0);
+    CHECK(pictures.insert(text_of(t.folder / "a.png")).second);
+    ++runs;
+  }
+  CHECK(nlohmann::json::parse(text_of(t.folder / "r.json"))["bsdf"] == "marschner");
+  // Presets are names for pigments, and brown is what the models of fibres start from.
+  for (const std::string options :
+       {"--bsdf chiang --hair-colour brown", "--bsdf chiang --melanin 1.3,0.1 --beta 0.3 --eta 1.55 --tilt 2"}) {
+    REQUIRE(t.run(tiny + "--out a.png " + options) == 0);
+    CHECK_FALSE(pictures.insert(text_of(t.folder / "a.png")).second);
+  }
+  CHECK(pictures.size() == runs);
+}
+
 TEST_CASE("a picture compared with itself differs by nothing, and with another by something") {
   const terminal t;
   REQUIRE(t.run(tiny + "--out a.png") == 0);
@@ -226,6 +250,20 @@ TEST_CASE("an option that cannot be is refused in one line, and nothing is writt
   t.check_refused("--out a.png --lights moon:1,1,1:1,1,1", "light 'moon:1,1,1:1,1,1'");
   t.check_refused("--out a.png --lights 'point:1,1\n,1:1,1,1:'", "light 'point");
   t.check_refused(tiny + "--out a.png --lights point:0.1,0,0:1,1,1", "inside the model");
+  t.check_refused("--out a.png --bsdf lambert", "--bsdf");
+  t.check_refused("--out a.png --hair-colour green", "--hair-colour");
+  t.check_refused("--out a.png --hair-colour red --melanin 1", "--melanin");
+  for (const std::string melanin : {"-1", "101", "1,-1", "1,2,3", "much"})
+    t.check_refused(tiny + "--out a.png --melanin " + melanin, "--melanin");
+  for (const std::string physical :
+       {"--eta 0.9", "--eta 3.1", "--beta 0", "--beta 1.1", "--beta 0.3,0", "--tilt 21", "--tilt -21"})
+    t.check_refused("--out a.png --bsdf chiang " + physical, physical.substr(0, physical.find(' ')));
+  for (const std::string unknown : {"--melanin nan", "--eta nan", "--beta nan", "--beta 0.3,nan", "--tilt nan"})
+    t.check_refused(tiny + "--out a.png --bsdf chiang " + unknown, " must be in [");
+  t.check_refused("--out a.png --bsdf marschner --beta 0.3,0.4", "--beta");
+  for (const std::string physical : {"--eta 1.5", "--beta 0.2", "--tilt 3"})
+    t.check_refused("--out a.png " + physical, "needs --bsdf marschner, chiang or dual_scattering");
+
   t.check_refused("--out a.png --unheard-of", "--unheard-of");
   t.check_refused("--out a.png stray", "stray");
 
@@ -255,9 +293,10 @@ TEST_CASE("help is no failure") {
   const terminal t;
   CHECK(t.run("--help") == 0);
   CHECK(t.complaint().empty());
-  for (const char* option :
-       {"--hair", "--follow", "--strands", "--segments", "--seed", "--size", "--k", "--order", "--components", "--aa",
-        "--alpha", "--fibre-radius", "--lights", "--threads", "--out", "--report", "--compare"}) {
+  for (const char* option : {"--hair",        "--follow",  "--strands",    "--segments", "--seed",   "--size",
+                             "--k",           "--order",   "--components", "--aa",       "--alpha",  "--bsdf",
+                             "--hair-colour", "--melanin", "--eta",        "--beta",     "--tilt",   "--fibre-radius",
+                             "--lights",      "--threads", "--out",        "--report",   "--compare"}) {
     CHECK(t.printed().find(option) != std::string::npos);
   }
 }

@@ -79,7 +79,7 @@ TEST_CASE("neither threads nor drawing order nor the choice of structure changes
       CHECK(longest(first) > 4 * settings.k);
       std::uint64_t seed = 0;
       for (const order_method method : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,
-                                        order_method::atomic_k_buffer}) {
+                                        order_method::atomic_k_buffer, order_method::two_pass_k_buffer}) {
         for (const int threads : {1, 2, 4}) {
           CAPTURE(static_cast<int>(method));
           CAPTURE(threads);
@@ -95,13 +95,31 @@ TEST_CASE("neither threads nor drawing order nor the choice of structure changes
   }
 }
 
+TEST_CASE("each model of scattering draws the same bits on any number of threads, and others than the next model") {
+  std::vector<image> pictures;
+  for (const bsdf_model model :
+       {bsdf_model::kajiya_kay, bsdf_model::marschner, bsdf_model::chiang, bsdf_model::dual_scattering}) {
+    CAPTURE(static_cast<int>(model));
+    frame_settings settings = small_frame();
+    settings.look.model = model;
+    const frame_result first = draw(small_hair(), settings, 1);
+    settings.shuffle = 7;
+    for (const int threads : {2, 4})
+      CHECK(same_picture(draw(small_hair(), settings, threads).picture, first.picture));
+    for (const image& other : pictures)
+      CHECK_FALSE(same_picture(other, first.picture));
+    pictures.push_back(first.picture);
+  }
+}
+
 TEST_CASE("100 frames from structures that all threads build at once are one picture") {
   const hair_model few = make_built_in(60, 8, 1);
   frame_settings settings = small_frame();
   settings.width = settings.height = 32;
   settings.k = 2;
   const image first = draw(few, settings, 1).picture;
-  for (const order_method method : {order_method::ordered_list, order_method::atomic_k_buffer}) {
+  for (const order_method method :
+       {order_method::ordered_list, order_method::atomic_k_buffer, order_method::two_pass_k_buffer}) {
     settings.order = method;
     int other = 0;
     for (int repeat = 0; repeat < 100; ++repeat) {
@@ -123,8 +141,9 @@ TEST_CASE("the structures at a K that holds every fragment, and sorting by selec
     const frame_result truth = draw(thin, settings);
     REQUIRE(longest(truth) <= settings.k);
     CHECK(longest(truth) > 4);
-    for (const order_method method : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,
-                                      order_method::atomic_k_buffer, order_method::selection_sort}) {
+    for (const order_method method :
+         {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list, order_method::atomic_k_buffer,
+          order_method::two_pass_k_buffer, order_method::selection_sort}) {
       CAPTURE(static_cast<int>(method));
       settings.order = method;
       const frame_result frame = draw(thin, settings);

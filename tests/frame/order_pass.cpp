@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/order_pass.hpp"
 
+#include <pelage/core/fragment.hpp>
+
 #include "frame/built_in.hpp"
 #include "frame/fibres.hpp"
 
@@ -17,9 +19,10 @@ namespace pelage::test {
 
 using namespace frame;
 
-constexpr std::array all_methods{order_method::k_buffer,       order_method::a_buffer,
-                                 order_method::ordered_list,   order_method::atomic_k_buffer,
-                                 order_method::selection_sort, order_method::full_sort};
+constexpr std::array all_methods{order_method::k_buffer,          order_method::a_buffer,
+                                 order_method::ordered_list,      order_method::atomic_k_buffer,
+                                 order_method::two_pass_k_buffer, order_method::selection_sort,
+                                 order_method::full_sort};
 
 bool keeps_all(order_method method) {
   return method == order_method::selection_sort || method == order_method::full_sort;
@@ -36,14 +39,18 @@ std::size_t pixels_of(const raster& from) {
   return pixel_of(from, 0, from.from().height);
 }
 
-tail with(const tail& behind, fragment lost, const touch& where) {
-  return add_fragment(behind, where.coverage, glm::vec3(static_cast<float>(lost.id), lost.depth, where.along));
+tail with(const tail& behind, const seen_fragment& lost) {
+  const glm::vec3 colour(static_cast<float>(lost.id), lost.where.depth, lost.where.along);
+  return add_fragment(behind, lost.where.coverage, colour);
 }
 
-std::vector<std::uint32_t> page_of(std::span<const fragment> nearest, const tail& behind) {
+std::vector<std::uint32_t> page_of(std::span<const seen_fragment> nearest, const tail& behind) {
   std::vector<std::uint32_t> page;
-  for (const fragment& f : nearest)
-    page.insert(page.end(), {std::bit_cast<std::uint32_t>(f.depth), f.id});
+  for (const auto& [id, where] : nearest) {
+    for (const float value : {where.depth, where.coverage, where.along})
+      page.push_back(std::bit_cast<std::uint32_t>(value));
+    page.push_back(id);
+  }
   page.insert(page.end(), {behind.optical, behind.weight, behind.red, behind.green, behind.blue});
   return page;
 }
@@ -57,8 +64,11 @@ struct recorder : pixel_visitor {
   explicit recorder(const raster& r) : from(r), written(pixels_of(r)) {}
 
   void expect(std::span<const std::uint32_t> counts) override { expected.assign(counts.begin(), counts.end()); }
-  void lose(int, int, fragment lost, const touch& where, tail& behind) override { behind = with(behind, lost, where); }
-  void finish(int x, int y, std::span<const fragment> nearest, const tail& behind) override {
+  void lose(int, int, std::span<const seen_fragment> lost, tail& behind) override {
+    for (const seen_fragment& f : lost)
+      behind = with(behind, f);
+  }
+  void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override {
     std::vector<std::uint32_t>& page = written[pixel_of(from, x, y)];
     if (!page.empty()) throw std::logic_error("a pixel is finished twice");
     page = page_of(nearest, behind);
@@ -66,30 +76,32 @@ struct recorder : pixel_visitor {
 };
 
 /// The fragments of each pixel in the order of drawing, found one by one.
-std::vector<std::vector<fragment>> arrivals(const raster& from, std::span<const float> limit,
-                                            std::span<const std::uint32_t> order) {
-  std::vector<std::vector<fragment>> lists(pixels_of(from));
+std::vector<std::vector<seen_fragment>> arrivals(const raster& from, std::span<const float> limit,
+                                                 std::span<const std::uint32_t> order) {
+  std::vector<std::vector<seen_fragment>> lists(pixels_of(from));
   for (std::uint32_t i = 0; i < from.fibres().segment_count(); ++i) {
     const std::uint32_t segment = order.empty() ? i : order[i];
     from.for_each(segment, whole(from.from()), [&](int x, int y, const touch& t) {
       const std::size_t p = pixel_of(from, x, y);
-      if (limit.empty() || t.depth < limit[p]) lists[p].push_back({t.depth, segment});
+      if (limit.empty() || t.depth < limit[p]) lists[p].push_back({segment, t});
     });
   }
   return lists;
 }
 
+bool nearer(const seen_fragment& a, const seen_fragment& b) {
+  return before({a.where.depth, a.id}, {b.where.depth, b.id});
+}
+
 /// What a pass has to leave: the first K of the sorted fragments, and the others in the tail.
 pages truth(const raster& from, std::span<const float> limit, std::size_t k) {
   pages pages;
-  for (std::vector<fragment>& list : arrivals(from, limit, {})) {
-    std::sort(list.begin(), list.end(), before);
+  for (std::vector<seen_fragment>& list : arrivals(from, limit, {})) {
+    std::sort(list.begin(), list.end(), nearer);
     const std::size_t kept = std::min(k, list.size());
-    const int x = static_cast<int>(pages.size()) % from.from().width;
-    const int y = static_cast<int>(pages.size()) / from.from().width;
     tail behind = empty_tail();
     for (std::size_t i = kept; i < list.size(); ++i)
-      behind = with(behind, list[i], from.at(list[i].id, x, y));
+      behind = with(behind, list[i]);
     pages.push_back(page_of(std::span(list).first(kept), behind));
   }
   return pages;
@@ -129,8 +141,10 @@ TEST_CASE("every method leaves the K nearest in order and the rest in the tail, 
     const int count = *rc::gen::element(1, 2, 4);
 
     std::vector<std::uint32_t> counts;
-    for (const std::vector<fragment>& list : arrivals(from, limit, {})) {
+    std::uint64_t beyond_k = 0;
+    for (const std::vector<seen_fragment>& list : arrivals(from, limit, {})) {
       counts.push_back(static_cast<std::uint32_t>(list.size()));
+      beyond_k += list.size() > k ? list.size() - k : 0;
     }
     const pages first_k = truth(from, limit, k);
     const pages all = truth(from, limit, 0xffffffff);
@@ -141,6 +155,7 @@ TEST_CASE("every method leaves the K nearest in order and the rest in the tail, 
       RC_ASSERT(seen.expected == (keeps_all(method) ? counts : std::vector<std::uint32_t>{}));
       RC_ASSERT(report.fragments == std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
       RC_ASSERT(report.longest == *std::max_element(counts.begin(), counts.end()));
+      RC_ASSERT(report.behind == (keeps_all(method) ? 0U : beyond_k));
       RC_ASSERT(report.refused == 0U);
     }
   });
@@ -207,8 +222,9 @@ struct float_tail : recorder {
 
   explicit float_tail(const raster& r) : recorder(r), sum(pixels_of(r), 0.0F) {}
 
-  void lose(int x, int y, fragment lost, const touch& where, tail&) override {
-    sum[pixel_of(from, x, y)] += where.coverage * lost.depth;
+  void lose(int x, int y, std::span<const seen_fragment> lost, tail&) override {
+    for (const seen_fragment& f : lost)
+      sum[pixel_of(from, x, y)] += f.where.coverage * f.where.depth;
   }
 };
 
@@ -229,8 +245,9 @@ TEST_CASE("drawing orders leave the same bits, but not with ties by arrival, nor
   }));
   CHECK(depends_on_drawing_order(segments, [&](std::span<const std::uint32_t> order) {
     pages written;
-    for (std::vector<fragment>& list : arrivals(from, {}, order)) {
-      std::stable_sort(list.begin(), list.end(), [](fragment a, fragment b) { return a.depth < b.depth; });
+    for (std::vector<seen_fragment>& list : arrivals(from, {}, order)) {
+      std::stable_sort(list.begin(), list.end(),
+                       [](const seen_fragment& a, const seen_fragment& b) { return a.where.depth < b.where.depth; });
       written.push_back(page_of(list, empty_tail()));
     }
     return in_one(written);

@@ -24,18 +24,21 @@ shader() {
 #extension GL_NV_shader_atomic_int64 : enable
 #endif
 #include "pelage/glsl/core/fragment.glsl"
+#include "pelage/glsl/visibility/deep_shadow_vertex.glsl"
 layout(local_size_x = 8) in;
 layout(std430, binding = 0) coherent buffer a { uint words[]; };
 layout(std430, binding = 1) coherent buffer b { pelage_fragment fragments[]; };
 layout(std430, binding = 2) coherent buffer c { uint64_t wide[]; };
 layout(std430, binding = 3) coherent buffer d { uint one; uint other; };
+layout(std430, binding = 4) coherent buffer e { pelage_deep_shadow_vertex vertices[]; };
 END
   # Cells by the type that their descriptions in the mirror give; what is no array of words is listed here.
   grep -rhoE '^#error .*: define PELAGE_[A-Z0-9_]+(\(i\))?' "$include/pelage/glsl" | grep -oE 'PELAGE_[A-Z0-9_]+(\(i\))?' |
     sort -u | while read -r cell; do
     case $cell in
       *NODES\(i\)) echo "#define $cell fragments[i]" ;;
-      *KEYS\(i\) | *KEY\(i\)) echo "#define $cell wide[i]" ;;
+      *_VERTICES\(i\)) echo "#define $cell vertices[i]" ;;
+      *_ATOMIC_SLOT_STORAGE_*\(i\)) echo "#define $cell wide[i]" ;;
       *\(i\)) echo "#define $cell words[i]" ;;
       *_SIZE) echo "#define $cell 64" ;;
       *) echo "#define $cell one" ;;

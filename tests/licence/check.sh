@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Copyright (c) 2026 The Pelage authors
 # SPDX-License-Identifier: MIT
-# check.sh ROOT: every source file begins with the two lines of the licence, after the #! of a script.
+# check.sh ROOT: every file begins with the two lines of the licence, after the #! of a script; but for those that have
+# no place for them or are data.
 set -euo pipefail
 cd "$1"
-mapfile -t sources < <(find . \( -path ./.git -o -path ./build -o -path ./out \) -prune -o -type f \( \
-  -name '*.hpp' -o -name '*.cpp' -o -name '*.glsl' -o -name '*.comp' -o -name '*.vert' -o -name '*.frag' -o \
-  -name '*.py' -o -name '*.sh' -o -name '*.cmake' -o -name CMakeLists.txt -o -name run \) -print | sort)
+mapfile -t sources < <(find . \( -path ./.git -o -path ./build -o -path ./out -o -path './.?*/*' -not -path './.ci/*' -o \
+  -path ./fuzz/corpus -o -name __pycache__ \) -prune -o -type f -not \( -name LICENSE -o -name '*.md' -o -name '*.csv' -o \
+  -name '*.json' -o -name '*.png' -o -name '*.txt' -not -name CMakeLists.txt \) -print | sort)
 if ((${#sources[@]} == 0)); then
   echo "no source under $1" >&2
   exit 1

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/order/slot_storage.hpp>
+#include <pelage/order/split_slot_storage.hpp>
 
 #include "order/oracle.hpp"
 

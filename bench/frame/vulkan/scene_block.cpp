@@ -6,7 +6,6 @@
 
 #include <stdexcept>
 
-#include "frame/shading.hpp"
 
 namespace pelage::frame::vulkan {
 namespace {
@@ -42,6 +41,9 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
   if (set.opaque.parts.size() > scene_block::most_parts) {
     throw std::runtime_error(fmt::format("--device vulkan: at most {} opaque objects", scene_block::most_parts));
   }
+  if (settings.look.model != bsdf_model::kajiya_kay || settings.look.pigment) {
+    throw std::runtime_error("--device vulkan: fibres are lit by --bsdf kajiya_kay in their own colours");
+  }
   scene_block b{};
   std::uint32_t pixels = 0;
   for (std::size_t i = 0; i < set.lights.size(); ++i) {
@@ -60,11 +62,6 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
   b.part_count = static_cast<std::uint32_t>(set.opaque.parts.size());
   b.ground = set.opaque.ground;
   b.floor_height = set.opaque.floor.value_or(0.0F);
-  const hair_look look;
-  b.diffuse = look.diffuse;
-  b.specular = look.specular;
-  b.exponent = look.exponent;
-  b.ambient = look.ambient;
   b.floor_clear = set.opaque.clear;
   b.has_floor = set.opaque.floor ? 1 : 0;
   b.shadows = has_shadows(settings.shown) ? 1 : 0;

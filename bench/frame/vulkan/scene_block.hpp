@@ -54,10 +54,6 @@ struct scene_block {
   std::uint32_t part_count;
   glm::vec3 ground;
   float floor_height;
-  float diffuse;
-  float specular;
-  float exponent;
-  float ambient;
   float floor_clear;
   std::uint32_t has_floor;
   std::uint32_t shadows;
@@ -68,7 +64,7 @@ struct scene_block {
   std::uint32_t segment_count;
 };
 static_assert(sizeof(scene_block::view_block) == 80 && sizeof(scene_block::light_block) == 48 &&
-              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1472);
+              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1456);
 
 /// The constants of a frame; views[i].first_pixel counts the pixels of the views before.
 /// Throws std::runtime_error for more lights or opaque objects than the block holds.

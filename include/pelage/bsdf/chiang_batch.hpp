@@ -112,7 +112,8 @@ void evaluate_chiang_lanes(const chiang_fibre<lanes<W>>& fibre, const chiang_bat
 }
 
 /// The caller's contract: one length for all.
-inline void assert_one_length(const chiang_batch& batch, const chiang_batch_result& result) noexcept {
+inline void assert_one_length([[maybe_unused]] const chiang_batch& batch,
+                              [[maybe_unused]] const chiang_batch_result& result) noexcept {
   for (std::uint32_t c = 0u; c < 3u; ++c) {
     PELAGE_ASSERT(batch.eye[c].size() == batch.h.size() && batch.light[c].size() == batch.h.size());
     PELAGE_ASSERT(result.value[c].size() == batch.h.size());

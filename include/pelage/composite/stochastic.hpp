@@ -53,10 +53,10 @@ template <std::uint32_t Samples, cell_storage Storage>
 
 // ---------------------------------------------------------------------------------------------------------
 
-/// True if a fragment is opaque in a sample.
+/// True if a fragment is opaque in the sample of this number.
 [[nodiscard]] constexpr bool takes_sample(std::uint32_t id, float alpha, std::uint32_t stream,
-                                          std::uint32_t sample) noexcept {
-  const std::uint32_t drawn = mixed_bits(mixed_bits(id ^ stream) + sample * 0x9e3779b9u);
+                                          std::uint32_t number) noexcept {
+  const std::uint32_t drawn = mixed_bits(mixed_bits(id ^ stream) + number * 0x9e3779b9u);
   return static_cast<float>(drawn >> 8u) * (1.0f / 16777216.0f) < alpha;
 }
 
@@ -66,7 +66,7 @@ constexpr std::uint32_t stochastic_stream(std::uint32_t seed, std::uint32_t pixe
 
 template <std::uint32_t Samples>
 constexpr stochastic_depths<Samples> stochastic_depths<Samples>::empty() noexcept {
-  stochastic_depths<Samples> none = stochastic_depths<Samples>{};
+  stochastic_depths<Samples> none;
   for (std::uint32_t i = 0u; i < Samples; ++i) {
     none.nearest[i] = 0xffffffffu;
   }

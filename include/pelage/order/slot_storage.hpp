@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/fetch_minimum.hpp>
 #include <pelage/core/fragment.hpp>
 
 #include <algorithm>
@@ -22,17 +23,6 @@ concept slot_storage = requires(Storage& s, const Storage& c, std::uint32_t n, s
   { s.min_slot(n, value, order) } -> std::same_as<std::uint64_t>;
 };
 
-/// Where the slots of two_pass_k_buffer live: a 32-bit depth and a 32-bit id each, otherwise as slot_storage.
-template <class Storage>
-concept split_slot_storage = requires(Storage& s, const Storage& c, std::uint32_t n, std::uint32_t value,
-                                      std::memory_order order) {
-  { c.slot_count() } -> std::same_as<std::uint32_t>;
-  { c.load_depth(n, order) } -> std::same_as<std::uint32_t>;
-  { s.min_depth(n, value, order) } -> std::same_as<std::uint32_t>;
-  { c.load_id(n, order) } -> std::same_as<std::uint32_t>;
-  { s.min_id(n, value, order) } -> std::same_as<std::uint32_t>;
-};
-
 /// A fragment as a number that orders as the fragment does: depth_key in the high word, id in the low one. What
 /// no_fragment() gives is above that of every fragment. For fragments that is_fragment() accepts, or no_fragment().
 [[nodiscard]] constexpr std::uint64_t pack(fragment f) noexcept {
@@ -40,19 +30,8 @@ concept split_slot_storage = requires(Storage& s, const Storage& c, std::uint32_
 }
 
 /// The fragment that was packed, but for the sign of a zero depth.
-[[nodiscard]] constexpr fragment unpack(std::uint64_t packed) noexcept {
-  return fragment{depth_from_key(static_cast<std::uint32_t>(packed >> 32u)), static_cast<std::uint32_t>(packed)};
-}
-
-/// Atomic minimum by compare-exchange, for cells that have none of their own (C++ brings one only in 2026). Returns
-/// what the cell held before. Lock-free: an exchange fails only because another thread made the cell smaller. Where
-/// the value is not smaller, it is a relaxed load and no more.
-template <class Cell, class Value>
-Value fetch_minimum(Cell&& cell, Value value, std::memory_order order) noexcept {
-  Value held = cell.load(std::memory_order_relaxed);
-  while (value < held && !cell.compare_exchange_strong(held, value, order, std::memory_order_relaxed)) {
-  }
-  return held;
+[[nodiscard]] constexpr fragment unpack(std::uint64_t number) noexcept {
+  return fragment{depth_from_key(static_cast<std::uint32_t>(number >> 32u)), static_cast<std::uint32_t>(number)};
 }
 
 /// slot_storage over the caller's memory, atomic through std::atomic_ref. 8 bytes a slot.
@@ -72,33 +51,5 @@ struct atomic_slot_storage {
 };
 
 static_assert(slot_storage<atomic_slot_storage>);
-
-/// split_slot_storage over the caller's memory, likewise. 8 bytes a slot.
-struct atomic_split_slot_storage {
-  std::span<std::uint32_t> depths;  ///< depth keys, pixel after pixel; clear() before use
-  std::span<std::uint32_t> ids;     ///< as many
-
-  /// Empties every slot. Not concurrent.
-  void clear() noexcept {
-    std::fill(depths.begin(), depths.end(), 0xffffffffu);
-    std::fill(ids.begin(), ids.end(), no_fragment().id);
-  }
-
-  [[nodiscard]] std::uint32_t slot_count() const noexcept { return static_cast<std::uint32_t>(depths.size()); }
-  [[nodiscard]] std::uint32_t load_depth(std::uint32_t slot, std::memory_order order) const noexcept {
-    return std::atomic_ref(depths[slot]).load(order);
-  }
-  std::uint32_t min_depth(std::uint32_t slot, std::uint32_t key, std::memory_order order) noexcept {
-    return fetch_minimum(std::atomic_ref(depths[slot]), key, order);
-  }
-  [[nodiscard]] std::uint32_t load_id(std::uint32_t slot, std::memory_order order) const noexcept {
-    return std::atomic_ref(ids[slot]).load(order);
-  }
-  std::uint32_t min_id(std::uint32_t slot, std::uint32_t id, std::memory_order order) noexcept {
-    return fetch_minimum(std::atomic_ref(ids[slot]), id, order);
-  }
-};
-
-static_assert(split_slot_storage<atomic_split_slot_storage>);
 
 }  // namespace pelage

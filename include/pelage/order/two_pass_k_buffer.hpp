@@ -3,7 +3,7 @@
 #pragma once
 #include <pelage/core/assert.hpp>
 #include <pelage/core/fragment.hpp>
-#include <pelage/order/slot_storage.hpp>
+#include <pelage/order/split_slot_storage.hpp>
 
 #include <algorithm>
 #include <atomic>

@@ -3,18 +3,13 @@
 #pragma once
 #include <pelage/core/assert.hpp>
 #include <pelage/core/math.hpp>
+#include <pelage/visibility/deep_shadow_vertex.hpp>
 
 #include <concepts>
 #include <cstdint>
 #include <span>
 
 namespace pelage {
-
-/// A point of a deep shadow map's transmittance function.
-struct deep_shadow_vertex {
-  float depth;          ///< [-2¹⁰⁰, 2¹⁰⁰]
-  float transmittance;  ///< [0, 1]
-};
 
 /// Where the vertices of deep shadow maps live, one array for all texels.
 template <class Storage>
@@ -46,15 +41,17 @@ static_assert(deep_shadow_storage<span_vertex_storage>);
 /// Depths, of look-ups too, are held to [-2¹⁰⁰, 2¹⁰⁰], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: no slope
 /// then leaves a float's range.
 struct deep_shadow_builder {
-  std::uint32_t first;         ///< of the texel's vertices in the storage
-  std::uint32_t count;         ///< vertices written so far
-  float tolerance;             ///< the error allowed, less what rounding may add to it
-  float transmittance;         ///< the truth behind all fragments so far
-  float pending;               ///< depth of the last fragment
-  deep_shadow_vertex from;     ///< the last vertex written: the line's origin
-  float last;                  ///< depth to which the line keeps within the error, >= from.depth
-  float low, high;             ///< the line's end may have these transmittances there
-  float least_slope, greatest_slope;  ///< the line may have, per unit of depth
+  std::uint32_t first;      ///< of the texel's vertices in the storage
+  std::uint32_t count;      ///< vertices written so far
+  float tolerance;          ///< the error allowed, less what rounding may add to it
+  float transmittance;      ///< the truth behind all fragments so far
+  float pending;            ///< depth of the last fragment
+  deep_shadow_vertex from;  ///< the last vertex written: the line's origin
+  float last;               ///< depth to which the line keeps within the error, >= from.depth
+  float low;                ///< the least transmittance that the line's end may have there
+  float high;               ///< and the greatest
+  float least_slope;        ///< the least slope that the line may have, per unit of depth
+  float greatest_slope;     ///< and the greatest
 
   /// A builder for the vertices from `first` on. `max_error`: [0, 1]; below 1e-6, or NaN: the truth itself.
   [[nodiscard]] static constexpr deep_shadow_builder begin(std::uint32_t first, float max_error) noexcept;
@@ -142,8 +139,8 @@ constexpr void deep_shadow_builder::pass(Storage& storage, float depth, float tr
   if (depth > from.depth) {
     const float down = (least - from.transmittance) / (depth - from.depth);
     const float up = (most - from.transmittance) / (depth - from.depth);
-    const bool step = tolerance == 0.0f && truth < from.transmittance;  // however small
-    if (step || up < least_slope || down > greatest_slope) {
+    const bool falls = tolerance == 0.0f && truth < from.transmittance;  // however small
+    if (falls || up < least_slope || down > greatest_slope) {
       end_line(storage);
     }
   }
@@ -183,18 +180,17 @@ constexpr void deep_shadow_builder::begin_line(Storage& storage, deep_shadow_ver
 }
 
 template <deep_shadow_storage Storage>
-constexpr float deep_shadow_at(const Storage& storage, std::uint32_t first, std::uint32_t count,
-                               float depth) noexcept {
+constexpr float deep_shadow_at(const Storage& storage, std::uint32_t first, std::uint32_t count, float depth) noexcept {
   const float at = held_depth(depth);
   std::uint32_t before = 0u;  // vertices known to lie before the depth
   std::uint32_t rest = count;
   while (rest > 0u) {
-    const std::uint32_t half = rest / 2u;
-    if (storage.read_vertex(first + before + half).depth < at) {
-      before += half + 1u;
-      rest -= half + 1u;
+    const std::uint32_t middle = rest / 2u;
+    if (storage.read_vertex(first + before + middle).depth < at) {
+      before += middle + 1u;
+      rest -= middle + 1u;
     } else {
-      rest = half;
+      rest = middle;
     }
   }
   if (before == 0u) {

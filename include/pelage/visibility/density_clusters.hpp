@@ -57,7 +57,7 @@ template <std::uint32_t K, cell_storage Storage>
 
 template <std::uint32_t K>
 constexpr density_clusters<K> density_clusters<K>::empty() noexcept {
-  density_clusters<K> none = density_clusters<K>{};
+  density_clusters<K> none;
   for (std::uint32_t i = 0u; i < K; ++i) {
     none.count[i] = 0u;
     none.sum[i] = 0u;
@@ -69,10 +69,10 @@ constexpr density_clusters<K> density_clusters<K>::empty() noexcept {
 template <std::uint32_t K>
 constexpr void density_clusters<K>::add(float position) noexcept {
   const std::uint32_t bin = layer_at(position, K);
-  const std::uint32_t step = step_in_bin(position, bin);
+  const std::uint32_t place = step_in_bin(position, bin);
   count[bin] = add_amounts(count[bin], 1u);
-  sum[bin] = add_amounts(sum[bin], step);
-  squares[bin] = add_amounts(squares[bin], step * step);
+  sum[bin] = add_amounts(sum[bin], place);
+  squares[bin] = add_amounts(squares[bin], place * place);
 }
 
 template <std::uint32_t K>
@@ -87,8 +87,8 @@ float density_clusters<K>::count_before(float position) const noexcept {
       const float reach = 1.73205081f * safe_sqrt(variance);
       const float from = saturate((mean - reach) * (1.0f / 512.0f));
       const float to = saturate((mean + reach) * (1.0f / 512.0f));
-      const float step = inside > to || inside == 1.0f ? 1.0f : 0.0f;
-      before += number * (to > from && inside < 1.0f ? saturate((inside - from) / (to - from)) : step);
+      const float whole = inside > to || inside == 1.0f ? 1.0f : 0.0f;
+      before += number * (to > from && inside < 1.0f ? saturate((inside - from) / (to - from)) : whole);
     }
   }
   return before;
@@ -98,11 +98,11 @@ template <std::uint32_t K, cell_storage Storage>
 void add_to_density_clusters(Storage& storage, std::uint32_t texel, float position) noexcept {
   PELAGE_ASSERT(texel < storage.cell_count() / (3u * K));
   const std::uint32_t bin = layer_at(position, K);
-  const std::uint32_t step = step_in_bin(position, bin);
+  const std::uint32_t place = step_in_bin(position, bin);
   const std::uint32_t first = texel * 3u * K + bin;
   add_to_cell(storage, first, 1u);
-  add_to_cell(storage, first + K, step);
-  add_to_cell(storage, first + 2u * K, step * step);
+  add_to_cell(storage, first + K, place);
+  add_to_cell(storage, first + 2u * K, place * place);
 }
 
 template <std::uint32_t K, cell_storage Storage>

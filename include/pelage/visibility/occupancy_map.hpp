@@ -27,8 +27,8 @@ struct occupancy_map {
   static_assert(Slices / Slabs % 32u == 0u || 32u % (Slices / Slabs) == 0u,
                 "pelage::occupancy_map: a slab must be whole words of 32 slices, or lie inside one");
 
-  static constexpr std::uint32_t words = Slices / 32u;        ///< of slice bits a texel
-  static constexpr std::uint32_t cells = words + Slabs;       ///< a texel, for a cell_storage
+  static constexpr std::uint32_t words = Slices / 32u;          ///< of slice bits a texel
+  static constexpr std::uint32_t cells = words + Slabs;         ///< a texel, for a cell_storage
   static constexpr std::uint32_t slab_slices = Slices / Slabs;  ///< slices a slab
 
   std::array<std::uint32_t, words> occupied;  ///< slice i is bit i % 32 of word i / 32
@@ -72,7 +72,7 @@ template <class Map, cell_storage Storage>
 
 template <std::uint32_t Slices, std::uint32_t Slabs>
 constexpr occupancy_map<Slices, Slabs> occupancy_map<Slices, Slabs>::empty() noexcept {
-  occupancy_map<Slices, Slabs> map = occupancy_map<Slices, Slabs>{};
+  occupancy_map<Slices, Slabs> map;
   for (std::uint32_t i = 0u; i < words; ++i) {
     map.occupied[i] = 0u;
   }

@@ -62,7 +62,7 @@ template <std::uint32_t Layers, cell_storage Storage>
 
 template <std::uint32_t Layers>
 constexpr opacity_map<Layers> opacity_map<Layers>::empty() noexcept {
-  opacity_map<Layers> map = opacity_map<Layers>{};
+  opacity_map<Layers> map;
   for (std::uint32_t i = 0u; i < Layers; ++i) {
     map.amount[i] = 0u;
   }

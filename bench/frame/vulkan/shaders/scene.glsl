@@ -64,10 +64,6 @@ layout(std140, binding = 0) uniform scene_block {
   uint part_count;
   vec3 ground;
   float floor_height;
-  float diffuse;
-  float specular;
-  float exponent;
-  float ambient;
   float floor_clear;
   bool has_floor;
   bool shadows;

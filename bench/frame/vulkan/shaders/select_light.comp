@@ -40,10 +40,22 @@ void main() {
   uint behind = 0u;
   float farthest = 0.0;
   if (end - begin > uint(K)) {
+    // Fragments alike may lie on both sides of slot K: as many as the slots hold are not of the rest.
     const uvec2 last = kth();
-    for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
-      const pelage_fragment f = pool[i];
-      if (key_before(last, key_of(f))) {
+    uint alike = 0u;
+    for (uint row = 0u; row < rows; ++row) {
+      const bool held = row * lanes + gl_SubgroupInvocationID < uint(K);
+      alike += subgroupBallotBitCount(subgroupBallot(held && nearest[row] == last));
+    }
+    uint passed = 0u;
+    for (uint from = begin; from < end; from += lanes) {
+      const uint i = from + gl_SubgroupInvocationID;
+      const pelage_fragment f = pool[min(i, end - 1u)];
+      const bool same = i < end && key_of(f) == last;
+      const uvec4 ballot = subgroupBallot(same);
+      const bool left_over = same && passed + subgroupBallotExclusiveBitCount(ballot) >= alike;
+      passed += subgroupBallotBitCount(ballot);
+      if (left_over || (i < end && key_before(last, key_of(f)))) {
         behind = pelage_add_saturating(behind, f.id);
         farthest = max(farthest, f.depth);
       }

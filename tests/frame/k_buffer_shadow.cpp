@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/shadow_map.hpp"
+#include "frame/shadows/k_buffer_shadow.hpp"
 
 #include "frame/fibres.hpp"
 
@@ -26,8 +26,8 @@ struct lit_fibres {
     if (*rc::gen::arbitrary<bool>()) opaque.parts.push_back({any_vec3(-4.0F, 4.0F), glm::vec3(any_float(1.0F, 4.0F))});
   }
 
-  [[nodiscard]] shadow_map map(order_method method, std::uint32_t k) const {
-    shadow_map made(fragments, opaque, k);
+  [[nodiscard]] k_buffer_shadow map(order_method method, std::uint32_t k) const {
+    k_buffer_shadow made(fragments, opaque, k);
     run_order_pass(fragments, made.limit(), {method, k, {}}, made);
     return made;
   }
@@ -75,7 +75,7 @@ float any_depth() {
 TEST_CASE("with all fragments kept a texel passes the product of what is nearer, and nothing behind an opaque object") {
   holds("brute force at texel centres", [] {
     const lit_fibres scene;
-    const shadow_map map = scene.map(order_method::full_sort, 1);
+    const k_buffer_shadow map = scene.map(order_method::full_sort, 1);
     for (int repeat = 0; repeat < 50; ++repeat) {
       const int x = any_texel();
       const int y = any_texel();
@@ -92,7 +92,7 @@ TEST_CASE("with K kept a texel is exact among them, then falls, and is exact aga
     lit_fibres scene;
     scene.opaque.parts.clear();
     const std::uint32_t k = *rc::gen::element(1U, 2U, 4U);
-    const shadow_map map = scene.map(*rc::gen::element(order_method::k_buffer, order_method::a_buffer), k);
+    const k_buffer_shadow map = scene.map(*rc::gen::element(order_method::k_buffer, order_method::a_buffer), k);
     const int x = any_texel();
     const int y = any_texel();
     const auto fragments = scene.fragments_of(x, y, map);
@@ -113,7 +113,7 @@ TEST_CASE("with K kept a texel is exact among them, then falls, and is exact aga
 TEST_CASE("what passes never rises with depth, stays in [0, 1], and is 1 before the first fragment") {
   holds("any place, any K", [] {
     const lit_fibres scene;
-    const shadow_map map = scene.map(order_method::k_buffer, *rc::gen::element(1U, 2U, 4U, 64U));
+    const k_buffer_shadow map = scene.map(order_method::k_buffer, *rc::gen::element(1U, 2U, 4U, 64U));
     const float x = any_float(-2.0F, texels + 2.0F);
     const float y = any_float(-2.0F, texels + 2.0F);
     float before = 1.0F;
@@ -130,7 +130,7 @@ TEST_CASE("what passes never rises with depth, stays in [0, 1], and is 1 before 
 TEST_CASE("outside the map everything is lit") {
   holds("beside the texels' centres", [] {
     const lit_fibres scene;
-    const shadow_map map = scene.map(order_method::k_buffer, 4);
+    const k_buffer_shadow map = scene.map(order_method::k_buffer, 4);
     const float along = any_float(-4.0F, texels + 4.0F);
     const float beside =
         *rc::gen::arbitrary<bool>() ? any_float(-4.0F, 0.49F) : any_float(texels - 0.49F, texels + 4.0F);
@@ -142,7 +142,7 @@ TEST_CASE("outside the map everything is lit") {
 TEST_CASE("between texels' centres it is their bilinear mean, and a bias asks nearer to the light") {
   holds("mean and bias", [] {
     const lit_fibres scene;
-    const shadow_map map = scene.map(order_method::k_buffer, 4);
+    const k_buffer_shadow map = scene.map(order_method::k_buffer, 4);
     const int x = any_texel();
     const int y = any_texel();
     const float depth = any_depth();
@@ -161,6 +161,34 @@ TEST_CASE("between texels' centres it is their bilinear mean, and a bias asks ne
     RC_ASSERT(std::abs(passed(depth, 0.0F) - mean) < 1e-6F);
     for (float to = 1.0F; to < 32.0F; to += 0.25F)
       RC_ASSERT(passed(to, 0.25F) == passed(to - 0.25F, 0.0F));
+  });
+}
+
+TEST_CASE("the fibres in the way never fall with depth, and are the sum of coverages behind the last or an object") {
+  holds("fibres passed", [] {
+    const lit_fibres scene;
+    const k_buffer_shadow map = scene.map(order_method::k_buffer, *rc::gen::element(1U, 4U, 64U));
+    const int x = any_texel();
+    const int y = any_texel();
+    double sum = 0.0;
+    double stopped = 0.0;
+    for (std::uint32_t s = 0; s < scene.fibres.segment_count(); ++s) {
+      const touch t = scene.fragments.at(s, x, y);
+      if (t.depth >= map.limit()[static_cast<std::size_t>(y * texels + x)]) continue;
+      sum += static_cast<double>(t.coverage);
+      stopped += static_cast<double>(t.coverage * scene.fragments.mix(scene.fibres.opacity, s, t.along));
+    }
+    const passage all = map.passed_to(scene.centre(x, y, 100.0F), 0.0F);
+    RC_ASSERT(all.transmittance == map.transmittance_to(scene.centre(x, y, 100.0F), 0.0F));
+    if (stopped > 1e-3) RC_ASSERT(std::abs(static_cast<double>(all.fibres) - sum) < 1e-4 * (1.0 + sum));
+    float before = 0.0F;
+    for (float depth = 0.0F; depth < 32.0F; depth += 0.125F) {
+      const passage passed = map.passed_to(scene.centre(x, y, depth), 0.0F);
+      RC_ASSERT(passed.transmittance == map.transmittance_to(scene.centre(x, y, depth), 0.0F));
+      RC_ASSERT(passed.fibres >= before);
+      before = passed.fibres;
+    }
+    RC_ASSERT((map.passed_to(scene.centre(x, y, 0.5F), 0.0F).fibres == 0.0F && before <= all.fibres));
   });
 }
 
