@@ -75,6 +75,13 @@ void device::pick() {
       if (!fits || properties_.apiVersion < VK_API_VERSION_1_2) continue;
       physical_ = one;
       name_ = properties_.deviceName;
+      VkPhysicalDeviceSubgroupProperties subgroups{};
+      subgroups.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
+      VkPhysicalDeviceProperties2 all_properties{};
+      all_properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+      all_properties.pNext = &subgroups;
+      vk_.vkGetPhysicalDeviceProperties2(one, &all_properties);
+      subgroup_ = subgroups.subgroupSize;
       // Mesa's lavapipe loses invocations at a barrier in a loop when a workgroup is larger than a subgroup.
       workgroup_ = gpu ? 64 : 8;
       return;
@@ -308,8 +315,9 @@ VkPipeline device::pipeline(const std::string& name) {
   module.pCode = k->spirv.data();
   VkShaderModule shader = VK_NULL_HANDLE;
   check(vk_.vkCreateShaderModule(device_, &module, nullptr, &shader), name);
-  const VkSpecializationMapEntry entry{0, 0, sizeof workgroup_};
-  const VkSpecializationInfo special{1, &entry, sizeof workgroup_, &workgroup_};
+  const std::array<std::uint32_t, 2> constants{workgroup_, subgroup_};
+  const std::array<VkSpecializationMapEntry, 2> entries{{{0, 0, 4}, {1, 4, 4}}};
+  const VkSpecializationInfo special{2, entries.data(), sizeof constants, constants.data()};
   VkComputePipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
   info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -332,7 +340,8 @@ void device::record(const step& s) {
   vk_.vkCmdBindPipeline(record_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline(s.kernel));
   vk_.vkCmdPushConstants(record_, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
                          static_cast<std::uint32_t>(s.push.size() * sizeof(std::uint32_t)), s.push.data());
-  const std::uint64_t groups = std::max<std::uint64_t>((s.invocations + workgroup_ - 1) / workgroup_, 1);
+  const std::uint64_t invocations = s.invocations * (s.by_subgroup ? subgroup_ : 1);
+  const std::uint64_t groups = std::max<std::uint64_t>((invocations + workgroup_ - 1) / workgroup_, 1);
   const std::uint64_t across = std::min<std::uint64_t>(groups, most_groups);
   vk_.vkCmdDispatch(record_, static_cast<std::uint32_t>(across),
                     static_cast<std::uint32_t>((groups + across - 1) / across), 1);

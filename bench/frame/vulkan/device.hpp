@@ -22,11 +22,12 @@ struct buffer {
 /// One step of a frame: a kernel over some number of invocations, or without one the filling of a buffer.
 struct step {
   std::string view;
-  std::string pass;       ///< both: under what its time is reported
-  std::string kernel;     ///< empty: fill
-  std::uint32_t binding;  ///< of the buffer to fill
-  std::uint32_t value;    ///< to fill it with
-  std::uint64_t invocations;
+  std::string pass;           ///< both: under what its time is reported
+  std::string kernel;         ///< empty: fill
+  std::uint32_t binding;      ///< of the buffer to fill
+  std::uint32_t value;        ///< to fill it with
+  std::uint64_t invocations;  ///< or subgroups, of a kernel that works in these
+  bool by_subgroup;
   std::vector<std::uint32_t> push;  ///< the push constants
 };
 
@@ -73,6 +74,7 @@ class device {
   bool has_64_bit_atomics_ = false;
   std::uint32_t family_ = 0;
   std::uint32_t workgroup_ = 64;
+  std::uint32_t subgroup_ = 32;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   VkCommandPool commands_ = VK_NULL_HANDLE;

@@ -22,31 +22,38 @@ constexpr std::uint32_t any_k[]{4, 8, 16, 32, 64};  ///< that resolving kernels 
 
 /// What a method asks for.
 struct plan {
-  std::vector<std::string> build;  ///< kernels that put fragments into the structure
-  std::string resolve;             ///< kernel that takes them out, less the sink and K
-  bool k_in_name;                  ///< it is compiled for one K
-  bool runs;                       ///< the pool is cut into runs, else into lists:
-  std::uint32_t lists;             ///< so many a pixel
-  bool slots;                      ///< K slots a pixel stand before the lists
+  std::vector<std::string> build;  ///< kernels that put fragments into the structure; # stands for K
+  std::string resolve;             ///< kernel that takes them out; @ stands for the sink
+  bool by_subgroup;                ///< that has a subgroup a pixel
+  std::uint32_t lists;             ///< a pixel; 0: the pool is cut into runs
+  bool slots;                      ///< K of 8 bytes a pixel stand before the list
 };
 
 plan plan_of(order_method method) {
   switch (method) {
     case order_method::k_buffer:
-      return {{"count", "allocate", "scatter"}, "resolve_runs", true, true, 0, false};
+      return {{"count", "allocate", "scatter"}, "select_@_#", true, 0, false};
     case order_method::a_buffer:
-      return {{"push"}, "resolve_lists", true, false, 1, false};
+      return {{"push"}, "resolve_lists_@_#", false, 1, false};
     case order_method::ordered_list:
-      return {{"insert_ordered"}, "resolve_ordered", false, false, 2, false};
+      return {{"insert_ordered"}, "resolve_ordered_@", false, 2, false};
     case order_method::atomic_k_buffer:
-      return {{"clear_slots", "insert_atomic"}, "resolve_atomic", true, false, 1, true};
-    case order_method::selection_sort:
-      return {{"count", "allocate", "scatter"}, "resolve_sorted", false, true, 0, false};
+      return {{"clear_slots_#", "insert_atomic_#"}, "resolve_slots_@_#", false, 1, true};
     case order_method::two_pass_k_buffer:
+      return {{"offer_depths_#", "insert_ids_#"}, "resolve_split_@_#", false, 1, true};
+    case order_method::selection_sort:
+      return {{"count", "allocate", "scatter"}, "resolve_sorted_@", false, 0, false};
     case order_method::full_sort:
       break;
   }
-  throw std::runtime_error("--device vulkan: this --order is drawn by --device cpu alone");
+  throw std::runtime_error("--device vulkan: there is no --order full_sort; selection_sort gives its picture");
+}
+
+/// A plan's kernel for one sink and K.
+std::string kernel_name(std::string pattern, const std::string& sink, std::uint32_t k) {
+  if (const std::size_t at = pattern.find('@'); at != std::string::npos) pattern.replace(at, 1, sink);
+  if (const std::size_t at = pattern.find('#'); at != std::string::npos) pattern.replace(at, 1, std::to_string(k));
+  return pattern;
 }
 
 std::uint64_t hash_of(std::span<const float> values) {
@@ -70,7 +77,7 @@ class session {
     if (std::find(std::begin(any_k), std::end(any_k), k_) == std::end(any_k)) {
       throw std::runtime_error("--device vulkan: --k must be 4, 8, 16, 32 or 64");
     }
-    if (plan_.slots && !device_.has_64_bit_atomics()) {
+    if (settings.order == order_method::atomic_k_buffer && !device_.has_64_bit_atomics()) {
       throw std::runtime_error("--device vulkan: " + device_.name() +
                                " has no 64-bit atomics for --order atomic_k_buffer");
     }
@@ -123,10 +130,11 @@ class session {
 
   void fill(std::vector<step>& to, std::uint32_t v, const std::string& what, std::uint32_t binding,
             std::uint32_t value) const {
-    to.push_back({view_name(v), "clear " + what, "", binding, value, 0, {}});
+    to.push_back({view_name(v), "clear " + what, "", binding, value, 0, false, {}});
   }
-  void run(std::vector<step>& to, std::uint32_t v, const std::string& kernel, std::uint64_t invocations) const {
-    to.push_back({view_name(v), kernel, kernel, 0, 0, invocations, {v, capacity_, plan_.lists, k_}});
+  void run(std::vector<step>& to, std::uint32_t v, const std::string& kernel, std::uint64_t invocations,
+           bool by_subgroup = false) const {
+    to.push_back({view_name(v), kernel, kernel, 0, 0, invocations, by_subgroup, {v, capacity_, plan_.lists, k_}});
   }
   void count(std::vector<step>& to, std::uint32_t v) const {
     run(to, v, "opaque", blocks(v));
@@ -168,7 +176,7 @@ void session::make_buffers() {
   device_.resize(pool_buffer, 0);
   measure();
   const std::uint64_t texels = all - pixels(camera());
-  const std::uint64_t entries = plan_.resolve == "resolve_sorted" ? camera() * std::uint64_t{capacity_} : texels * k_;
+  const std::uint64_t entries = plan_.resolve == "resolve_sorted_@" ? camera() * std::uint64_t{capacity_} : texels * k_;
   const std::uint64_t links = plan_.lists == 0 ? 0 : plan_.lists * most + capacity_;
   if (links > 0xff000000U || entries > 0xffffffffU) {
     throw std::runtime_error("--device vulkan: the frame has more fragments than can be numbered");
@@ -199,18 +207,22 @@ void session::make_frame() {
   fill(frame_, views().front(), "reports", report_buffer, 0);
   for (const std::uint32_t v : views()) {
     run(frame_, v, "opaque", blocks(v));
-    if (plan_.runs) fill(frame_, v, "counts", count_buffer, 0);
-    if (plan_.lists > 0) fill(frame_, v, "links", link_buffer, 0xffffffffU);
-    for (const std::string& kernel : plan_.build) {
-      const bool by_pixel = kernel == "allocate" || kernel == "clear_slots";
-      run(frame_, v, kernel, by_pixel ? blocks(v) : set_.fibres.segment_count());
+    if (plan_.lists == 0) {
+      fill(frame_, v, "counts", count_buffer, 0);
+    } else {
+      fill(frame_, v, "links", link_buffer, 0xffffffffU);
+    }
+    if (plan_.slots && plan_.build.front() != "clear_slots_#") fill(frame_, v, "slots", slot_buffer, 0xffffffffU);
+    const std::string sink = v == camera() ? "camera" : "light";
+    for (const std::string& pattern : plan_.build) {
+      const bool by_pixel = pattern == "allocate" || pattern == "clear_slots_#";
+      run(frame_, v, kernel_name(pattern, sink, k_), by_pixel ? blocks(v) : set_.fibres.segment_count());
     }
     if (v == camera()) {
       run(frame_, v, "shade", set_.fibres.point.size());
       run(frame_, v, "background", blocks(v));
     }
-    const std::string sink = v == camera() ? "_camera" : "_light";
-    run(frame_, v, plan_.resolve + sink + (plan_.k_in_name ? fmt::format("_{}", k_) : ""), blocks(v));
+    run(frame_, v, kernel_name(plan_.resolve, sink, k_), blocks(v), plan_.by_subgroup);
   }
 }
 

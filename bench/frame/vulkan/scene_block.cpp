@@ -6,7 +6,6 @@
 
 #include <stdexcept>
 
-
 namespace pelage::frame::vulkan {
 namespace {
 
