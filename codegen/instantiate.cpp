@@ -4,12 +4,27 @@
 /// float. A template with a size appears twice: the first size is the macro's default, the second one shows that the
 /// translation does not depend on it.
 ///
-/// Left out is what has no meaning in a shader: headers that do for a whole span on a CPU, in vectors, what a mirrored
-/// one does for one pixel or fibre (core/lanes, order/k_select, nearest_keys, lane_network, vector_lanes, slice_sort,
-/// visibility/occupancy_batch, bsdf/chiang_batch, chiang_quad), and core/assert and core/fetch_minimum, which stand for
-/// what GLSL lacks and for what it has.
+/// Left out is what has no meaning in a shader: headers that do for a whole span on a CPU, in vectors or blocks, what a
+/// mirrored one does for one pixel or fibre (core/lanes, order/block_list_storage, k_select, nearest_keys,
+/// lane_network, vector_lanes, slice_sort, visibility/occupancy_batch, bsdf/chiang_batch, chiang_quad), and core/assert
+/// and core/fetch_minimum, which stand for what GLSL lacks and for what it has.
+#include <pelage/bsdf/azimuthal.hpp>
+#include <pelage/bsdf/bessel.hpp>
+#include <pelage/bsdf/chiang.hpp>
+#include <pelage/bsdf/chiang_far_field.hpp>
+#include <pelage/bsdf/chiang_sampling.hpp>
+#include <pelage/bsdf/dual_scattering.hpp>
+#include <pelage/bsdf/dual_scattering_table.hpp>
 #include <pelage/bsdf/fresnel.hpp>
+#include <pelage/bsdf/hair_parameters.hpp>
+#include <pelage/bsdf/interface.hpp>
 #include <pelage/bsdf/kajiya_kay.hpp>
+#include <pelage/bsdf/kajiya_kay_highlights.hpp>
+#include <pelage/bsdf/longitudinal.hpp>
+#include <pelage/bsdf/marschner.hpp>
+#include <pelage/bsdf/marschner_table.hpp>
+#include <pelage/bsdf/passage.hpp>
+#include <pelage/bsdf/scattering_roots.hpp>
 #include <pelage/composite/atomic_tail.hpp>
 #include <pelage/composite/depth_peeling.hpp>
 #include <pelage/composite/optical_depth.hpp>
@@ -22,9 +37,11 @@
 #include <pelage/composite/weighted_average.hpp>
 #include <pelage/composite/weighted_blended.hpp>
 #include <pelage/composite/weighted_sum.hpp>
+#include <pelage/core/elementary.hpp>
 #include <pelage/core/fragment.hpp>
 #include <pelage/core/math.hpp>
 #include <pelage/core/mixed_bits.hpp>
+#include <pelage/core/vector_math.hpp>
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
 #include <pelage/coverage/line_width.hpp>
@@ -53,11 +70,33 @@
 namespace pelage {
 
 using vec3 = glm::vec3;
+using colour = std::array<float, 3>;
 
 // core
 template float sqr(float) noexcept;
 template float safe_sqrt(float) noexcept;
 template float saturate(float) noexcept;
+template float dot_product(const vec3&, const vec3&) noexcept;
+template vec3 cross_product(const vec3&, const vec3&) noexcept;
+template float vector_length(const vec3&) noexcept;
+template vec3 unit_vector(const vec3&) noexcept;
+template float select(bool, float, float) noexcept;
+template float square_root(float) noexcept;
+template float whole_part(float) noexcept;
+template float absolute(float) noexcept;
+template float least(float, float) noexcept;
+template float greatest(float, float) noexcept;
+template float small_exponential(float) noexcept;
+template float exponential(float) noexcept;
+template float one_minus_exponential(float) noexcept;
+template float natural_logarithm(float) noexcept;
+template float power_of_share(float, float) noexcept;
+template float unsigned_angle(float, float) noexcept;
+template float angle_of(float, float) noexcept;
+template float angle_of_sine(float) noexcept;
+template rotation<float> rotation_by(float) noexcept;
+template rotation<float> turned_by(const rotation<float>&, const rotation<float>&) noexcept;
+template rotation<float> turned_back(const rotation<float>&, const rotation<float>&) noexcept;
 
 // coverage
 template closest_pair<float> closest_points(const vec3&, const vec3&, const vec3&, const vec3&) noexcept;
@@ -149,5 +188,71 @@ template stochastic_depths<13u> load_stochastic_depths(const cells&, std::uint32
 // bsdf
 template float fresnel_dielectric(float, float) noexcept;
 template float fibre_attenuation(float, float) noexcept;
+template interface_shares<float> dielectric_interface(float, float) noexcept;
+template interface_shares<float> bravais_interface(float, float, float, float) noexcept;
+template bessel_i0_parts<float> bessel_i0(float) noexcept;
+template float log_bessel_i0(float) noexcept;
+template fibre_direction<float> direction_by_fibre(float, float, float) noexcept;
+template fibre_direction<float> direction_by_fibre(const vec3&) noexcept;
+template longitudinal_lobe<float> make_longitudinal_lobe(float) noexcept;
+template float evaluate_longitudinal(const longitudinal_lobe<float>&, inclination_pair<float>) noexcept;
+template float evaluate_longitudinal(const longitudinal_lobe<float>&, float, float, float, float) noexcept;
+template float versine(rotation<float>) noexcept;
+template rotation<float> sample_longitudinal(const longitudinal_lobe<float>&, float, float, float, float) noexcept;
+template azimuthal_lobe<float> make_azimuthal_lobe(float) noexcept;
+template float evaluate_azimuthal(const azimuthal_lobe<float>&, float) noexcept;
+template float sample_azimuthal(const azimuthal_lobe<float>&, float) noexcept;
+template melanin<float> melanin_of(hair_colour) noexcept;
+template colour absorption_of(melanin<float>) noexcept;
+template melanin<float> melanin_from_controls(float, float) noexcept;
+template float absorption_from_albedo(float, float) noexcept;
+template float albedo_from_absorption(float, float) noexcept;
+template float longitudinal_variance(float) noexcept;
+template float azimuthal_scale(float) noexcept;
+template float roughness_of_width(float) noexcept;
+template chiang_fibre<float> make_chiang_fibre(const chiang_parameters<float>&) noexcept;
+template chiang_view<float> view_chiang(const chiang_fibre<float>&, float, const fibre_direction<float>&) noexcept;
+template chiang_result<float> evaluate_chiang(const chiang_fibre<float>&, const chiang_view<float>&,
+                                              const fibre_direction<float>&) noexcept;
+template float chiang_density(const chiang_fibre<float>&, const chiang_view<float>&,
+                              const fibre_direction<float>&) noexcept;
+template chiang_bsdf<float> evaluate_chiang_bsdf(const chiang_fibre<float>&, float, const vec3&, const vec3&) noexcept;
+template chiang_sample<float> sample_chiang(const chiang_fibre<float>&, const chiang_view<float>&,
+                                            const std::array<float, 4>&) noexcept;
+template width_node<float> fibre_width_node(int, int) noexcept;
+template chiang_result<float> evaluate_chiang_far<4>(const chiang_fibre<float>&, const fibre_direction<float>&,
+                                                     const fibre_direction<float>&) noexcept;
+template chiang_result<float> evaluate_chiang_far<3>(const chiang_fibre<float>&, const fibre_direction<float>&,
+                                                     const fibre_direction<float>&) noexcept;
+template colour axial_passage(float, const colour&, float) noexcept;
+template colour mean_passage<4>(float, const colour&, float) noexcept;
+template colour mean_passage<3>(float, const colour&, float) noexcept;
+template scattering_roots<float> find_scattering_roots(int, float, float) noexcept;
+template caustic_point<float> find_caustic(float) noexcept;
+template float azimuth_derivative(int, float, float) noexcept;
+template marschner_parameters<float> common_marschner_parameters(const colour&) noexcept;
+template fibre_section<float> make_fibre_section(float, float) noexcept;
+template float path_attenuation(const fibre_section<float>&, int, float, float, float) noexcept;
+template colour bare_azimuthal(const fibre_section<float>&, int, float, const colour&) noexcept;
+template colour smooth_trt(const fibre_section<float>&, float, const colour&, const caustic_treatment<float>&) noexcept;
+template float eccentric_index(float, float, float) noexcept;
+template float gaussian(float, float) noexcept;
+template marschner_result<float> evaluate_marschner(const marschner_parameters<float>&, float, float, float,
+                                                    float) noexcept;
+template float table_coordinate(float, std::uint32_t) noexcept;
+template marschner_lobes<float> azimuthal_lobes(const fibre_section<float>&, const marschner_parameters<float>&,
+                                                float) noexcept;
+template dual_local<float> dual_local_scattering(const dual_averages<float>&, const dual_density<float>&) noexcept;
+template dual_global<float> dual_unshadowed() noexcept;
+template dual_global<float> dual_global_scattering(const dual_averages<float>&, const dual_density<float>&, float,
+                                                   float) noexcept;
+template dual_global<float> dual_pass_fibre(const dual_global<float>&, const dual_averages<float>&,
+                                            const dual_density<float>&) noexcept;
+template vec3 dual_scattering(const dual_averages<float>&, const dual_local<float>&, const dual_global<float>&,
+                              const dual_density<float>&, const vec3&, float, float, float) noexcept;
+template float dual_lobe(float, float, float, float) noexcept;
+template dual_table_place<float> dual_table_place_of(float, std::uint32_t) noexcept;
+template dual_averages<float> blend_dual_averages(const dual_averages<float>&, const dual_averages<float>&,
+                                                  float) noexcept;
 
 }  // namespace pelage

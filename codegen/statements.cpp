@@ -3,6 +3,8 @@
 #include "names.hpp"
 #include "translator.hpp"
 
+#include <algorithm>
+
 namespace pelage::codegen {
 
 using namespace clang;
@@ -26,10 +28,34 @@ std::string translator::sequence(Stmt::const_child_range statements, SourceLocat
 
 std::string translator::block(const Stmt* s) {
   if (const auto* compound = dyn_cast<CompoundStmt>(s)) {
+    const auto* only = compound->size() == 1 ? dyn_cast<IfStmt>(compound->body_front()) : nullptr;
+    if (only != nullptr && only->isConstexpr()) {
+      const Stmt* branch = taken_branch(only);
+      if (branch != nullptr) return block(branch);  // in the place of the block round it
+    }
     const std::string beside = comment_beside(compound->getLBracLoc());
     return "{" + beside + "\n" + sequence(compound->children(), compound->getRBracLoc()) + "}";
   }
   return "{\n" + statement(s) + comment_beside(s->getEndLoc()) + "\n}";
+}
+
+/// The branch of an `if constexpr`, null for none. The comments of the other one go with it.
+const Stmt* translator::taken_branch(const IfStmt* s) {
+  if (has_size(s->getCond())) {
+    reject(s->getBeginLoc(), "`if constexpr` over a size: the size is lost, use a plain `if`");
+    return nullptr;
+  }
+  bool taken = false;
+  (void)s->getCond()->EvaluateAsBooleanCondition(taken, context_);
+  if (const Stmt* other = taken ? s->getElse() : s->getThen()) {
+    const unsigned begin = offset(other->getBeginLoc());
+    const unsigned end = offset(other->getEndLoc());
+    const auto inside = [&](const comment& c) { return c.offset >= begin && c.offset < end; };
+    comments_.erase(
+        std::remove_if(comments_.begin() + static_cast<std::ptrdiff_t>(next_comment_), comments_.end(), inside),
+        comments_.end());
+  }
+  return taken ? s->getThen() : s->getElse();
 }
 
 std::string translator::statement(const Stmt* s) {
@@ -46,12 +72,7 @@ std::string translator::statement(const Stmt* s) {
   if (const auto* i = dyn_cast<IfStmt>(s)) {
     if (i->hasInitStorage() || i->hasVarStorage()) return reject(s->getBeginLoc(), "declaration inside `if`");
     if (i->isConstexpr()) {
-      if (has_size(i->getCond())) {
-        return reject(s->getBeginLoc(), "`if constexpr` over a size: the size is lost, use a plain `if`");
-      }
-      bool taken = false;
-      (void)i->getCond()->EvaluateAsBooleanCondition(taken, context_);
-      const Stmt* branch = taken ? i->getThen() : i->getElse();
+      const Stmt* branch = taken_branch(i);
       return branch == nullptr ? std::string() : statement(branch);
     }
     std::string text = "if (" + expression(i->getCond(), position::whole) + ") " + block(i->getThen());

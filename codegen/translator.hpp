@@ -130,6 +130,7 @@ class translator {
 
   // statements.cpp
   std::string block(const clang::Stmt* s);
+  const clang::Stmt* taken_branch(const clang::IfStmt* s);
   std::string statement(const clang::Stmt* s);
   std::string effect(const clang::Expr* e);
   std::string for_loop(const clang::ForStmt* s);

@@ -46,7 +46,7 @@ azimuthal_table::azimuthal_table(const chiang_fibre<float>& fibre) : azimuthal_t
     const float sine = sine_of_row(row);
     const fibre_direction<float> eye = {sine, std::sqrt((1.0F - sine) * (1.0F + sine)), 1.0F, 0.0F};
     for (int node = 0; node < 3 * panels; ++node) {
-      const width_node<float> place = fibre_width_node<panels, float>(node);
+      const width_node<float> place = fibre_width_node<float>(node, panels);
       const chiang_view<float> view = view_chiang(fibre, place.h, eye);
       residual_[row] += (place.weight / (2.0F * pi)) * colour_of(view.attenuation[3]);
       for (std::uint32_t column = 0; column < columns; ++column) {

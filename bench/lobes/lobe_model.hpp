@@ -62,7 +62,7 @@ class lobe_model {
     const fibre_direction<double> to = {std::sin(theta_r), std::cos(theta_r), std::cos(phi), std::sin(phi)};
     std::vector<glm::dvec3> sums(4, glm::dvec3(0.0));
     for (int node = 0; node < 3 * panels; ++node) {
-      const width_node<double> place = fibre_width_node<panels, double>(node);
+      const width_node<double> place = fibre_width_node<double>(node, panels);
       const auto view = view_chiang(fibre_, place.h, from);
       const std::array<double, 4> lobes = chiang_lobes(fibre_, view, to);
       for (std::size_t p = 0; p < 4; ++p) {

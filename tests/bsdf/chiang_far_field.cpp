@@ -62,7 +62,7 @@ TEST_CASE("the rule's weights are an average's") {
   double mean = 0.0;
   double square = 0.0;
   for (int node = 0; node < 12; ++node) {
-    const width_node<double> place = fibre_width_node<4, double>(node);
+    const width_node<double> place = fibre_width_node<double>(node, 4);
     sum += place.weight;
     mean += place.weight * place.h;
     square += place.weight * place.h * place.h;

@@ -4,6 +4,7 @@
 
 namespace features {
 
+template float by_type(float) noexcept;
 template struct ring<6u>;
 template struct ring<9u>;
 template ring<6u> empty_ring<6u>() noexcept;

@@ -211,6 +211,12 @@ precise float features_folded(float x) {
   return x * (tenth * 3.0) + (1.9041297) + (0.25 + 0.5) + (2.0707965);
 }
 
+/// The branch that a type takes, with its own comments alone.
+precise float features_by_type(float x) {
+  // In float the series' first terms.
+  return x + 0.5 * x * x;
+}
+
 #endif
 
 /// A struct with a size, and a function over it whose size is the struct's.

@@ -183,6 +183,18 @@ struct turn {
   return x * (tenth * 3.0f) + (third + half_pi<float>)+(0.25f + 0.5f) + (weights[1] + half_pi<float>);
 }
 
+/// The branch that a type takes, with its own comments alone.
+template <typename Real>
+[[nodiscard]] Real by_type(Real x) noexcept {
+  if constexpr (sizeof(Real) > 4) {
+    // In double the library's.
+    return std::expm1(x);
+  } else {
+    // In float the series' first terms.
+    return x + Real(0.5) * x * x;
+  }
+}
+
 /// A struct with a size, and a function over it whose size is the struct's.
 template <std::uint32_t N>
 struct ring {

@@ -52,23 +52,23 @@ constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 }  // namespace
 
 /// Every Vulkan function that the harness calls, X-macro so that each is named once.
-#define PELAGE_INSTANCE_FUNCTIONS(X)                                                                    \
-  X(vkDestroyInstance)                                                                                  \
-  X(vkEnumeratePhysicalDevices) X(vkGetPhysicalDeviceProperties) X(vkGetPhysicalDeviceMemoryProperties) \
-      X(vkGetPhysicalDeviceQueueFamilyProperties) X(vkCreateDevice) X(vkGetPhysicalDeviceFeatures2)     \
-          X(vkGetDeviceProcAddr)
-#define PELAGE_DEVICE_FUNCTIONS(X)                                                                                     \
-  X(vkDestroyDevice)                                                                                                   \
-  X(vkGetDeviceQueue) X(vkCreateBuffer) X(vkDestroyBuffer) X(vkGetBufferMemoryRequirements) X(vkAllocateMemory)        \
-      X(vkFreeMemory) X(vkBindBufferMemory) X(vkMapMemory) X(vkUnmapMemory) X(vkCreateShaderModule)                    \
-          X(vkDestroyShaderModule) X(vkCreateDescriptorSetLayout) X(vkDestroyDescriptorSetLayout)                      \
-              X(vkCreatePipelineLayout) X(vkDestroyPipelineLayout) X(vkCreateComputePipelines) X(vkDestroyPipeline)    \
-                  X(vkCreateDescriptorPool) X(vkDestroyDescriptorPool) X(vkAllocateDescriptorSets)                     \
-                      X(vkUpdateDescriptorSets) X(vkCreateCommandPool) X(vkDestroyCommandPool)                         \
-                          X(vkAllocateCommandBuffers) X(vkBeginCommandBuffer) X(vkEndCommandBuffer)                    \
-                              X(vkCmdBindPipeline) X(vkCmdBindDescriptorSets) X(vkCmdDispatch) X(vkCmdPipelineBarrier) \
-                                  X(vkCmdCopyBuffer) X(vkQueueSubmit) X(vkQueueWaitIdle) X(vkResetDescriptorPool)      \
-                                      X(vkResetCommandPool)
+#define PELAGE_INSTANCE_FUNCTIONS(X)                                                                                  \
+  X(vkDestroyInstance)                                                                                                \
+  X(vkEnumeratePhysicalDevices)                                                                                       \
+  X(vkGetPhysicalDeviceProperties) X(vkGetPhysicalDeviceMemoryProperties) X(vkGetPhysicalDeviceQueueFamilyProperties) \
+      X(vkCreateDevice) X(vkGetPhysicalDeviceFeatures2) X(vkGetDeviceProcAddr)
+#define PELAGE_DEVICE_FUNCTIONS(X)                                                                                   \
+  X(vkDestroyDevice)                                                                                                 \
+  X(vkGetDeviceQueue)                                                                                                \
+  X(vkCreateBuffer) X(vkDestroyBuffer) X(vkGetBufferMemoryRequirements) X(vkAllocateMemory) X(vkFreeMemory)          \
+      X(vkBindBufferMemory) X(vkMapMemory) X(vkUnmapMemory) X(vkCreateShaderModule) X(vkDestroyShaderModule)         \
+          X(vkCreateDescriptorSetLayout) X(vkDestroyDescriptorSetLayout) X(vkCreatePipelineLayout)                   \
+              X(vkDestroyPipelineLayout) X(vkCreateComputePipelines) X(vkDestroyPipeline) X(vkCreateDescriptorPool)  \
+                  X(vkDestroyDescriptorPool) X(vkAllocateDescriptorSets) X(vkUpdateDescriptorSets)                   \
+                      X(vkCreateCommandPool) X(vkDestroyCommandPool) X(vkAllocateCommandBuffers)                     \
+                          X(vkBeginCommandBuffer) X(vkEndCommandBuffer) X(vkCmdBindPipeline)                         \
+                              X(vkCmdBindDescriptorSets) X(vkCmdDispatch) X(vkCmdPipelineBarrier) X(vkCmdCopyBuffer) \
+                                  X(vkQueueSubmit) X(vkQueueWaitIdle) X(vkResetDescriptorPool) X(vkResetCommandPool)
 
 struct device::state {
   void* loader = nullptr;
@@ -91,6 +91,7 @@ struct device::state {
   std::uint32_t workgroup = 0;
   std::uint32_t complaints = 0;
   bool validated = false;
+  bool atomic_int64 = false;
 
   struct pipeline {
     VkDescriptorSetLayout set = VK_NULL_HANDLE;
@@ -206,6 +207,7 @@ struct device::state {
     want.sType = has.sType;
     want.pNext = &want12;
     want.features.shaderInt64 = has.features.shaderInt64;
+    atomic_int64 = has.features.shaderInt64 == VK_TRUE && has12.shaderBufferInt64Atomics == VK_TRUE;
 
     const float priority = 1.0F;
     VkDeviceQueueCreateInfo queues{};
@@ -437,6 +439,9 @@ const std::string& device::name() const {
 }
 bool device::is_cpu() const {
   return state_->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
+bool device::has_atomic_int64() const {
+  return state_->atomic_int64;
 }
 std::uint32_t device::workgroup() const {
   return state_->workgroup;

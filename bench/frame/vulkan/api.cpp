@@ -5,6 +5,8 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include "frame/vulkan/device_frame.hpp"
+
 namespace pelage::frame::vulkan {
 namespace {
 
@@ -30,7 +32,7 @@ void check(VkResult result, const std::string& what) {
 VkInstance api::open() {
   // The loader stays open: drivers leave threads and exit handlers behind.
   void* loader = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
-  if (loader == nullptr) throw std::runtime_error("--device vulkan: there is no Vulkan loader, libvulkan.so.1");
+  if (loader == nullptr) throw no_device("--device vulkan: there is no Vulkan loader, libvulkan.so.1");
   vkGetInstanceProcAddr = reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(loader, "vkGetInstanceProcAddr"));
   if (vkGetInstanceProcAddr == nullptr) throw std::runtime_error("--device vulkan: libvulkan.so.1 is no Vulkan loader");
   PFN_vkCreateInstance create = nullptr;
@@ -45,7 +47,7 @@ VkInstance api::open() {
   info.pApplicationInfo = &app;
   VkInstance instance = VK_NULL_HANDLE;
   if (create(&info, nullptr, &instance) != VK_SUCCESS) {
-    throw std::runtime_error("--device vulkan: there is no Vulkan 1.2 driver");
+    throw no_device("--device vulkan: there is no Vulkan 1.2 driver");
   }
 #define X(name) set(name, vkGetInstanceProcAddr(instance, #name), #name);
   PELAGE_FRAME_INSTANCE_FUNCTIONS(X)

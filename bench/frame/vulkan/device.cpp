@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "frame/vulkan/device_frame.hpp"
+
 namespace pelage::frame::vulkan {
 namespace {
 
@@ -87,8 +89,8 @@ void device::pick() {
       return;
     }
   }
-  throw std::runtime_error(wanted.empty() ? "--device vulkan: there is no Vulkan 1.2 device"
-                                          : fmt::format("--device vulkan: no device is called '{}'", wanted));
+  throw no_device(wanted.empty() ? "--device vulkan: there is no Vulkan 1.2 device"
+                                 : fmt::format("--device vulkan: no device is called '{}'", wanted));
 }
 
 void device::open() {

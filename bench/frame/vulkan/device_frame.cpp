@@ -20,6 +20,19 @@ using namespace vulkan;
 
 constexpr std::uint32_t any_k[]{4, 8, 16, 32, 64};  ///< that resolving kernels are compiled for
 
+/// What the shaders do not have is refused before any work.
+void check(const frame_settings& s) {
+  if (std::find(std::begin(any_k), std::end(any_k), s.k) == std::end(any_k)) {
+    throw std::runtime_error("--device vulkan: --k must be 4, 8, 16, 32 or 64");
+  }
+  if (s.look.model != bsdf_model::kajiya_kay || s.look.pigment) {
+    throw std::runtime_error("--device vulkan: fibres are lit by --bsdf kajiya_kay in their own colours");
+  }
+  if (s.shadow.method != shadow_method::k_buffer) {
+    throw std::runtime_error("--device vulkan: maps are made by --shadow k_buffer");
+  }
+}
+
 /// What a method asks for.
 struct plan {
   std::vector<std::string> build;  ///< kernels that put fragments into the structure; # stands for K
@@ -74,9 +87,6 @@ class session {
  public:
   session(const stage& set, const frame_settings& settings)
       : set_(set), k_(settings.k), shadows_(has_shadows(settings.shown)), plan_(plan_of(settings.order)) {
-    if (std::find(std::begin(any_k), std::end(any_k), k_) == std::end(any_k)) {
-      throw std::runtime_error("--device vulkan: --k must be 4, 8, 16, 32 or 64");
-    }
     if (settings.order == order_method::atomic_k_buffer && !device_.has_64_bit_atomics()) {
       throw std::runtime_error("--device vulkan: " + device_.name() +
                                " has no 64-bit atomics for --order atomic_k_buffer");
@@ -229,6 +239,7 @@ void session::make_frame() {
 }  // namespace
 
 device_frame draw_frame_on_device(const hair_model& model, const frame_settings& settings, std::uint32_t frames) {
+  check(settings);
   const stage set = set_up(model, settings);
   session on(set, settings);
   device_frame result{image(settings.width, settings.height), on.device_name(), {}, {}, 0, on.bytes(), 0, frames, 0};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,16 @@ struct device_frame {
   std::uint32_t same;            ///< of those, how many have that hash
 };
 
+/// There is no device to draw on: no loader, no driver, or a program that was built without either.
+struct no_device : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Draws a frame on a Vulkan device, all of it from strands to picture: the picture of draw_frame() but for rounding
 /// and for light, which is computed at the strands' points and interpolated between.
 ///
-/// `frames`: [1, inf). Throws std::runtime_error, one line, where there is no device, not enough memory, a model too
-/// large for the device, or a method that it does not have; and as draw_frame().
+/// `frames`: [1, inf). Throws no_device; std::runtime_error, one line, for too little memory, a model too large for the
+/// device, and what its shaders do not have; and as draw_frame().
 [[nodiscard]] device_frame draw_frame_on_device(const hair_model& model, const frame_settings& settings,
                                                 std::uint32_t frames);
 

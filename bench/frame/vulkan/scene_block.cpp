@@ -40,9 +40,6 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
   if (set.opaque.parts.size() > scene_block::most_parts) {
     throw std::runtime_error(fmt::format("--device vulkan: at most {} opaque objects", scene_block::most_parts));
   }
-  if (settings.look.model != bsdf_model::kajiya_kay || settings.look.pigment) {
-    throw std::runtime_error("--device vulkan: fibres are lit by --bsdf kajiya_kay in their own colours");
-  }
   scene_block b{};
   std::uint32_t pixels = 0;
   for (std::size_t i = 0; i < set.lights.size(); ++i) {

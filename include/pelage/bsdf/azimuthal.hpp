@@ -23,7 +23,7 @@ template <real_number Real>
 /// N(x) per radian at a distance x in [0, π] from the middle. Relative error below 4e-7 (1 + x/s) in float.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real evaluate_azimuthal(const azimuthal_lobe<Real>& lobe,
-                                                                 Real distance) noexcept;
+                                                                 Real from_middle) noexcept;
 
 /// Draws a signed distance from the middle, [-π, π], with density N from a number in [0, 1).
 template <std::floating_point Real>
@@ -40,8 +40,8 @@ azimuthal_lobe<Real> make_azimuthal_lobe(Real scale) noexcept {
 }
 
 template <real_number Real>
-Real evaluate_azimuthal(const azimuthal_lobe<Real>& lobe, Real distance) noexcept {
-  const Real e = exponential(distance * lobe.steepness);
+Real evaluate_azimuthal(const azimuthal_lobe<Real>& lobe, Real from_middle) noexcept {
+  const Real e = exponential(from_middle * lobe.steepness);
   const Real sum = Real(1) + e;
   return lobe.height * e / (sum * sum);
 }

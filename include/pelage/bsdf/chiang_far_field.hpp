@@ -22,9 +22,9 @@ struct width_node {
   Real weight;  ///< its part of the average; all weights sum to 1 within 1e-5 from 2 panels on
 };
 
-/// Node `node` of the rule, [0, 3 Panels).
-template <int Panels, std::floating_point Real>
-[[nodiscard]] width_node<Real> fibre_width_node(int node) noexcept;
+/// Node `node` of the rule with `panels` parts, [0, 3 panels).
+template <std::floating_point Real>
+[[nodiscard]] inline width_node<Real> fibre_width_node(int node, int panels) noexcept;
 
 /// The average. Only h varies: `eye` and `light` are what they are for the near field. `value` holds f |cos| and
 /// `density` that of sampling after drawing h uniformly.
@@ -34,10 +34,9 @@ template <int Panels, std::floating_point Real>
 
 // ---------------------------------------------------------------------------------------------------------
 
-template <int Panels, std::floating_point Real>
-width_node<Real> fibre_width_node(int node) noexcept {
-  static_assert(Panels >= 1 && Panels <= 64, "the width of a fibre is cut into 1 to 64 panels");
-  const Real panel = Real(3.141592653589793238) / Real(Panels);
+template <std::floating_point Real>
+width_node<Real> fibre_width_node(int node, int panels) noexcept {
+  const Real panel = Real(3.141592653589793238) / Real(panels);
   const int whole = node / 3;
   const int place = node - 3 * whole - 1;
   const Real gamma =
@@ -50,9 +49,10 @@ width_node<Real> fibre_width_node(int node) noexcept {
 template <int Panels, std::floating_point Real>
 chiang_result<Real> evaluate_chiang_far(const chiang_fibre<Real>& fibre, const fibre_direction<Real>& eye,
                                         const fibre_direction<Real>& light) noexcept {
+  static_assert(Panels >= 1 && Panels <= 64, "the width of a fibre is cut into 1 to 64 panels");
   chiang_result<Real> sum = {{Real(0), Real(0), Real(0)}, Real(0)};
   for (int node = 0; node < 3 * Panels; ++node) {
-    const width_node<Real> place = fibre_width_node<Panels, Real>(node);
+    const width_node<Real> place = fibre_width_node<Real>(node, Panels);
     const chiang_result<Real> near = evaluate_chiang(fibre, view_chiang(fibre, place.h, eye), light);
     for (std::uint32_t c = 0u; c < 3u; ++c) {
       sum.value[c] = sum.value[c] + place.weight * near.value[c];

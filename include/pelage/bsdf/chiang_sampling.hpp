@@ -48,7 +48,7 @@ template <std::floating_point Real>
 /// `residual` lobe any azimuth. Takes the last three of the four numbers.
 template <std::floating_point Real>
 [[nodiscard]] inline glm::vec<3, Real> draw_chiang_direction(const longitudinal_lobe<Real>& along,
-                                                             const azimuthal_lobe<Real>& round,
+                                                             const azimuthal_lobe<Real>& around,
                                                              const rotation<Real>& tilted, const rotation<Real>& middle,
                                                              bool residual, const std::array<Real, 4>& u) noexcept;
 
@@ -95,12 +95,12 @@ std::uint32_t pick_chiang_lobe(const std::array<Real, 4>& weights, Real u) noexc
 }
 
 template <std::floating_point Real>
-glm::vec<3, Real> draw_chiang_direction(const longitudinal_lobe<Real>& along, const azimuthal_lobe<Real>& round,
+glm::vec<3, Real> draw_chiang_direction(const longitudinal_lobe<Real>& along, const azimuthal_lobe<Real>& around,
                                         const rotation<Real>& tilted, const rotation<Real>& middle, bool residual,
                                         const std::array<Real, 4>& u) noexcept {
-  const Real distance = residual ? Real(6.283185307179586477) * u[3] : sample_azimuthal(round, u[3]);
+  const Real from_middle = residual ? Real(6.283185307179586477) * u[3] : sample_azimuthal(around, u[3]);
   const rotation<Real> inclination = sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
-  const rotation<Real> azimuth = turned_by(middle, rotation_by(distance));
+  const rotation<Real> azimuth = turned_by(middle, rotation_by(from_middle));
   const Real across = inclination.cosine / square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
   return glm::vec<3, Real>(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
 }

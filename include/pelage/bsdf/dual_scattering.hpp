@@ -138,7 +138,7 @@ dual_global<Real> dual_global_scattering(const dual_averages<Real>& averages, co
   global.direct = least(greatest(direct, Real(0)), Real(1));
   const Real fibres = greatest(count, Real(0));
   for (int c = 0; c < 3; ++c) {
-    const Real kept = fibres > Real(0) ? std::pow(averages.forward[c], fibres) : Real(1);
+    const Real kept = power_of_share(averages.forward[c], fibres);
     global.transmitted[c] = density.forward * greatest(kept - global.direct, Real(0));
     global.variance[c] = fibres * averages.forward_variance[c];
   }

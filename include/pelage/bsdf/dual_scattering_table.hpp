@@ -52,6 +52,23 @@ template <std::floating_point Real, fibre_model<Real> Model>
 void fill_dual_scattering_table(const Model& model, std::span<dual_averages<Real>> table, std::uint32_t theta_count,
                                 std::uint32_t phi_count) noexcept;
 
+/// The two entries of a table between which an inclination lies.
+template <std::floating_point Real>
+struct dual_table_place {
+  std::uint32_t low;
+  std::uint32_t high;
+  Real share;  ///< of the high one, [0, 1]
+};
+
+/// The place of an inclination in [-π/2, π/2], held there, in a table of `count` > 0 entries.
+template <std::floating_point Real>
+[[nodiscard]] dual_table_place<Real> dual_table_place_of(Real theta, std::uint32_t count) noexcept;
+
+/// Averages between those of two entries; `share` in [0, 1] is that of b.
+template <std::floating_point Real>
+[[nodiscard]] dual_averages<Real> blend_dual_averages(const dual_averages<Real>& a, const dual_averages<Real>& b,
+                                                      Real share) noexcept;
+
 /// The averages at an inclination in [-π/2, π/2], linear between the table's entries, held at its ends. Not empty.
 template <std::floating_point Real>
 [[nodiscard]] dual_averages<Real> look_up_dual_scattering(std::span<const dual_averages<Real>> table,
@@ -131,23 +148,32 @@ void fill_dual_scattering_table(const Model& model, std::span<dual_averages<Real
 }
 
 template <std::floating_point Real>
+dual_table_place<Real> dual_table_place_of(Real theta, std::uint32_t count) noexcept {
+  const Real last = static_cast<Real>(count - 1u);
+  const Real place = (theta * Real(0.318309886183790672) + Real(0.5)) * static_cast<Real>(count) - Real(0.5);
+  const Real held = least(greatest(place, Real(0)), last);
+  const std::uint32_t low = static_cast<std::uint32_t>(held);
+  const std::uint32_t high = low + 1u < count ? low + 1u : low;
+  return dual_table_place<Real>{low, high, held - static_cast<Real>(low)};
+}
+
+template <std::floating_point Real>
+dual_averages<Real> blend_dual_averages(const dual_averages<Real>& a, const dual_averages<Real>& b,
+                                        Real share) noexcept {
+  const Real rest = Real(1) - share;
+  return dual_averages<Real>{a.forward * rest + b.forward * share,
+                             a.backward * rest + b.backward * share,
+                             a.forward_shift * rest + b.forward_shift * share,
+                             a.backward_shift * rest + b.backward_shift * share,
+                             a.forward_variance * rest + b.forward_variance * share,
+                             a.backward_variance * rest + b.backward_variance * share};
+}
+
+template <std::floating_point Real>
 dual_averages<Real> look_up_dual_scattering(std::span<const dual_averages<Real>> table, Real theta) noexcept {
   PELAGE_ASSERT(!table.empty());
-  const Real last = static_cast<Real>(table.size() - 1);
-  const Real place = (theta * Real(0.318309886183790672) + Real(0.5)) * static_cast<Real>(table.size()) - Real(0.5);
-  const Real held = least(greatest(place, Real(0)), last);
-  const std::size_t low = static_cast<std::size_t>(held);
-  const std::size_t high = low + 1 < table.size() ? low + 1 : low;
-  const Real t = held - static_cast<Real>(low);
-  const Real s = Real(1) - t;
-  const dual_averages<Real>& a = table[low];
-  const dual_averages<Real>& b = table[high];
-  return dual_averages<Real>{a.forward * s + b.forward * t,
-                             a.backward * s + b.backward * t,
-                             a.forward_shift * s + b.forward_shift * t,
-                             a.backward_shift * s + b.backward_shift * t,
-                             a.forward_variance * s + b.forward_variance * t,
-                             a.backward_variance * s + b.backward_variance * t};
+  const dual_table_place<Real> place = dual_table_place_of(theta, static_cast<std::uint32_t>(table.size()));
+  return blend_dual_averages(table[place.low], table[place.high], place.share);
 }
 
 }  // namespace pelage

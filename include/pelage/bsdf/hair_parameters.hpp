@@ -129,7 +129,7 @@ template <std::floating_point Real>
 Real roughness_of_width(Real width) noexcept {
   Real low = Real(0);
   Real high = Real(1);
-  for (int step = 0; step < 40; ++step) {
+  for (int halving = 0; halving < 40; ++halving) {
     const Real middle = Real(0.5) * (low + high);
     const bool narrow = longitudinal_variance(middle) < width * width;
     low = narrow ? middle : low;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/math.hpp>
+#include <pelage/core/vector_math.hpp>
 
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace pelage {
@@ -28,11 +28,11 @@ struct kajiya_kay_lobes {
 
 inline kajiya_kay_lobes kajiya_kay(const glm::vec3& tangent, const glm::vec3& to_light, const glm::vec3& to_eye,
                                    float exponent) noexcept {
-  const float along_light = glm::dot(tangent, to_light);
-  const float along_eye = glm::dot(tangent, to_eye);
+  const float along_light = dot_product(tangent, to_light);
+  const float along_eye = dot_product(tangent, to_eye);
   // The sine as a length: √(1 - cos²) would lose half its digits for light along the fibre.
-  const float across_light = saturate(glm::length(glm::cross(tangent, to_light)));
-  const float across_eye = saturate(glm::length(glm::cross(tangent, to_eye)));
+  const float across_light = saturate(vector_length(cross_product(tangent, to_light)));
+  const float across_eye = saturate(vector_length(cross_product(tangent, to_eye)));
   const float cosine = saturate(across_light * across_eye - along_light * along_eye);
   return kajiya_kay_lobes{across_light, cosine > 0.0f ? power_of_cosine(cosine, exponent) : 0.0f};
 }

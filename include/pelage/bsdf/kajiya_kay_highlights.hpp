@@ -4,8 +4,8 @@
 #include <pelage/bsdf/kajiya_kay.hpp>
 #include <pelage/core/elementary.hpp>
 #include <pelage/core/math.hpp>
+#include <pelage/core/vector_math.hpp>
 
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
@@ -56,10 +56,10 @@ constexpr float normalised_fibre_diffuse(float kd) noexcept {
 
 inline double_highlight kajiya_kay_double(const glm::vec3& tangent, const glm::vec3& to_light, const glm::vec3& to_eye,
                                           const highlight_shape& primary, const highlight_shape& secondary) noexcept {
-  const float along_light = glm::dot(tangent, to_light);
-  const float along_eye = glm::dot(tangent, to_eye);
-  const float across_light = saturate(glm::length(glm::cross(tangent, to_light)));
-  const float across_eye = saturate(glm::length(glm::cross(tangent, to_eye)));
+  const float along_light = dot_product(tangent, to_light);
+  const float along_eye = dot_product(tangent, to_eye);
+  const float across_light = saturate(vector_length(cross_product(tangent, to_light)));
+  const float across_eye = saturate(vector_length(cross_product(tangent, to_eye)));
   const rotation<float> sum =
       turned_by(rotation<float>{across_light, along_light}, rotation<float>{across_eye, along_eye});
   return double_highlight{shifted_lobe(sum, primary), shifted_lobe(sum, secondary)};
@@ -67,7 +67,7 @@ inline double_highlight kajiya_kay_double(const glm::vec3& tangent, const glm::v
 
 inline glm::vec3 shifted_tangent(const glm::vec3& tangent, const glm::vec3& normal, float shift) noexcept {
   const glm::vec3 moved = tangent + shift * normal;
-  const float length2 = glm::dot(moved, moved);
+  const float length2 = dot_product(moved, moved);
   return length2 > 0.0f ? moved * (1.0f / std::sqrt(length2)) : tangent;
 }
 

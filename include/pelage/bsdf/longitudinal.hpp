@@ -131,10 +131,10 @@ rotation<Real> sample_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin
   const Real drawn = Real(0) - lobe.variance * natural_logarithm(u + (Real(1) - u) * opposite);
   const Real w = least(greatest(drawn, Real(0)), Real(2));
   const Real polar_sine = square_root(w * (Real(2) - w));
-  const rotation<Real> round = rotation_by(Real(6.283185307179586477) * turn);
-  const Real along = polar_sine * round.cosine * cos_o - (Real(1) - w) * sin_o;
-  const Real outward = (Real(1) - w) * cos_o + polar_sine * round.cosine * sin_o;
-  const Real aside = polar_sine * round.sine;
+  const rotation<Real> around = rotation_by(Real(6.283185307179586477) * turn);
+  const Real along = polar_sine * around.cosine * cos_o - (Real(1) - w) * sin_o;
+  const Real outward = (Real(1) - w) * cos_o + polar_sine * around.cosine * sin_o;
+  const Real aside = polar_sine * around.sine;
   const Real scale = Real(1) / square_root(along * along + outward * outward + aside * aside);
   return rotation<Real>{square_root(outward * outward + aside * aside) * scale, along * scale};
 }

@@ -41,6 +41,12 @@ struct marschner_lobes {
   glm::vec<3, Real> returned;
 };
 
+/// An entry: N of the three lobes at a section and an azimuth, the caustic as the parameters treat it. Round fibres
+/// only.
+template <std::floating_point Real>
+[[nodiscard]] marschner_lobes<Real> azimuthal_lobes(const fibre_section<Real>& section,
+                                                    const marschner_parameters<Real>& parameters, Real phi) noexcept;
+
 /// Fills a table whose spans the caller has sized.
 template <std::floating_point Real>
 void fill_marschner_table(const marschner_parameters<Real>& parameters, const marschner_table<Real>& table) noexcept;
@@ -58,6 +64,21 @@ template <std::floating_point Real>
 // ---------------------------------------------------------------------------------------------------------
 
 template <std::floating_point Real>
+marschner_lobes<Real> azimuthal_lobes(const fibre_section<Real>& section, const marschner_parameters<Real>& parameters,
+                                      Real phi) noexcept {
+  const std::array<Real, 3> r = bare_azimuthal(section, 0, phi, parameters.sigma_a);
+  const std::array<Real, 3> tt = bare_azimuthal(section, 1, phi, parameters.sigma_a);
+  std::array<Real, 3> trt;
+  if (parameters.caustic.smoothed) {
+    trt = smooth_trt(section, phi, parameters.sigma_a, parameters.caustic);
+  } else {
+    trt = bare_azimuthal(section, 2, phi, parameters.sigma_a);
+  }
+  return marschner_lobes<Real>{glm::vec<3, Real>(r[0], r[1], r[2]), glm::vec<3, Real>(tt[0], tt[1], tt[2]),
+                               glm::vec<3, Real>(trt[0], trt[1], trt[2])};
+}
+
+template <std::floating_point Real>
 void fill_marschner_table(const marschner_parameters<Real>& parameters, const marschner_table<Real>& table) noexcept {
   PELAGE_ASSERT(table.theta_count >= 2u && table.phi_count >= 2u);
   PELAGE_ASSERT(table.reflected.size() == std::size_t{table.theta_count} * table.phi_count);
@@ -68,15 +89,11 @@ void fill_marschner_table(const marschner_parameters<Real>& parameters, const ma
     const fibre_section<Real> section = make_fibre_section(parameters.eta, angle_of_sine(sine));
     for (std::uint32_t k = 0u; k < table.phi_count; ++k) {
       const Real phi = Real(3.141592653589793238) * static_cast<Real>(k) / static_cast<Real>(table.phi_count - 1u);
-      const std::array<Real, 3> r = bare_azimuthal(section, 0, phi, parameters.sigma_a);
-      const std::array<Real, 3> tt = bare_azimuthal(section, 1, phi, parameters.sigma_a);
-      const std::array<Real, 3> trt = parameters.caustic.smoothed
-                                          ? smooth_trt(section, phi, parameters.sigma_a, parameters.caustic)
-                                          : bare_azimuthal(section, 2, phi, parameters.sigma_a);
+      const marschner_lobes<Real> lobes = azimuthal_lobes(section, parameters, phi);
       const std::size_t at = std::size_t{i} * table.phi_count + k;
-      table.reflected[at] = glm::vec<3, Real>(r[0], r[1], r[2]);
-      table.transmitted[at] = glm::vec<3, Real>(tt[0], tt[1], tt[2]);
-      table.returned[at] = glm::vec<3, Real>(trt[0], trt[1], trt[2]);
+      table.reflected[at] = lobes.reflected;
+      table.transmitted[at] = lobes.transmitted;
+      table.returned[at] = lobes.returned;
     }
   }
 }

@@ -40,10 +40,11 @@ std::array<Real, 3> axial_passage(Real eta, const std::array<Real, 3>& sigma_a, 
 
 template <int Panels, std::floating_point Real>
 std::array<Real, 3> mean_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept {
+  static_assert(Panels >= 1 && Panels <= 64, "the width of a fibre is cut into 1 to 64 panels");
   const Real cosine = square_root(greatest((Real(1) - sin_theta) * (Real(1) + sin_theta), Real(0)));
   std::array<Real, 3> passage = {Real(0), Real(0), Real(0)};
   for (int node = 0; node < 3 * Panels; ++node) {
-    const width_node<Real> place = fibre_width_node<Panels, Real>(node);
+    const width_node<Real> place = fibre_width_node<Real>(node, Panels);
     const chiang_section<Real> section = cross_chiang_section(eta, place.h, sin_theta, cosine);
     for (std::uint32_t c = 0u; c < 3u; ++c) {
       passage[c] = passage[c] + place.weight * chiang_attenuation(section, sigma_a[c])[1];

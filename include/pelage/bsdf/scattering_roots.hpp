@@ -97,20 +97,14 @@ struct root_bracket {
   Real excess;             ///< η′² - 1
   rotation<Real> outside;  ///< γ_i at the reference end
   Real direction;          ///< 1 if γ_i grows from there, -1 if it falls
-  Real length;             ///< of the stretch in γ_i
   Real rise;               ///< the sought value of 2γ_t - γ_i less that at the reference
 };
 
-/// What the stretch does at an offset x from its reference end.
+/// What the stretch does at an offset x from its reference end: 2γ_t - γ_i less the sought value, and `root` there. Not
+/// both in one struct: glslang 12 follows `precise` round the loop below through a struct's parts without end.
 template <std::floating_point Real>
-struct bracket_sample {
-  Real excess;  ///< 2γ_t - γ_i less the sought value
-  scattering_root<Real> root;
-};
-
-template <std::floating_point Real>
-[[nodiscard]] bracket_sample<Real> sample_bracket(const root_bracket<Real>& bracket, Real x,
-                                                  const caustic_point<Real>& caustic) noexcept {
+[[nodiscard]] Real sample_bracket(const root_bracket<Real>& bracket, Real x, const caustic_point<Real>& caustic,
+                                  scattering_root<Real>& root) noexcept {
   const Real eta = bracket.eta;
   const rotation<Real> halfway = rotation_by(Real(0.5) * bracket.direction * x);
   const rotation<Real> middle = turned_by(bracket.outside, halfway);
@@ -128,8 +122,8 @@ template <std::floating_point Real>
   const Real above = caustic.curvature > Real(0) ? Real(0) : (Real(3) - bracket.excess) / Real(3);
   const Real cosine = absolute(outside.cosine);
   const Real slope = Real(3) * (from_caustic + above) / ((Real(2) * cosine + inside) * inside);
-  const Real excess = (Real(2) * angle_of_sine(turned) - bracket.direction * x) - bracket.rise;
-  return bracket_sample<Real>{excess, scattering_root<Real>{outside.sine, cosine, slope}};
+  root = scattering_root<Real>{outside.sine, cosine, slope};
+  return (Real(2) * angle_of_sine(turned) - bracket.direction * x) - bracket.rise;
 }
 
 /// The paper's cubic: the root of γ³ - (a/b)γ + ψ/b = 0 with asin(sin γ/η′) taken as (3c/π)γ - (4c/π³)γ³, c =
@@ -165,17 +159,16 @@ template <std::floating_point Real>
   const Real right_angle = Real(1.57079632679489662);
   const Real eta = square_root(Real(1) + excess);
   const Real caustic_angle = angle_of(caustic.sine, caustic.cosine);
-  const Real length = inner ? caustic_angle : right_angle - caustic_angle;
+  const Real extent = inner ? caustic_angle : right_angle - caustic_angle;
   const Real drop = caustic.half_azimuth - half_azimuth;
   const Real parabola =
-      caustic.curvature > Real(0) ? square_root(Real(2) * greatest(drop, Real(0)) / caustic.curvature) : length;
+      caustic.curvature > Real(0) ? square_root(Real(2) * greatest(drop, Real(0)) / caustic.curvature) : extent;
   const Real cubic = cubic_root_start(eta, half_azimuth, inner ? 1 : 0);
-  const bool by_caustic = parabola < Real(0.5) * length;
+  const bool by_caustic = parabola < Real(0.5) * extent;
 
   root_bracket<Real> bracket;
   bracket.eta = eta;
   bracket.excess = excess;
-  bracket.length = length;
   Real x = parabola;
   if (by_caustic) {
     bracket.outside = rotation<Real>{caustic.cosine, caustic.sine};
@@ -192,30 +185,31 @@ template <std::floating_point Real>
     bracket.rise = half_azimuth - edge_half_azimuth(excess);
     x = right_angle - cubic;
   }
-  if (!(x >= Real(0) && x <= length)) {
-    x = Real(0.5) * length;
+  if (!(x >= Real(0) && x <= extent)) {
+    x = Real(0.5) * extent;
   }
 
   // The stretch rises away from its reference except from the caustic, where it falls.
-  const Real sign = by_caustic ? Real(-1) : Real(1);
+  const Real towards = by_caustic ? Real(-1) : Real(1);
   Real low = Real(0);
-  Real high = length;
-  bracket_sample<Real> here = sample_bracket(bracket, x, caustic);
-  for (int step = 0; step < 60; ++step) {
-    const bool past = sign * here.excess > Real(0);
+  Real high = extent;
+  scattering_root<Real> root = scattering_root<Real>{Real(0), Real(1), Real(1)};
+  Real above = sample_bracket(bracket, x, caustic, root);
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const bool past = towards * above > Real(0);
     low = past ? low : x;
     high = past ? x : high;
-    const Real newton = x - here.excess / (bracket.direction * here.root.slope);
+    const Real newton = x - above / (bracket.direction * root.slope);
     const bool inside = newton > low && newton < high;
     const Real next = inside ? newton : Real(0.5) * (low + high);
     const Real moved = absolute(next - x);
     x = next;
-    here = sample_bracket(bracket, x, caustic);
+    above = sample_bracket(bracket, x, caustic, root);
     if (moved <= std::numeric_limits<Real>::epsilon() * x) {
       break;
     }
   }
-  return here.root;
+  return root;
 }
 
 template <std::floating_point Real>
@@ -229,23 +223,23 @@ scattering_roots<Real> find_scattering_roots(int path, Real phi, Real excess) no
   const Real eta = square_root(Real(1) + above_one);
   const Real azimuth = wrapped_angle(phi);
   const Real side = azimuth < Real(0) ? Real(-1) : Real(1);
-  const Real half = Real(0.5) * absolute(azimuth);
+  const Real half_azimuth = Real(0.5) * absolute(azimuth);
   if (path == 0) {
-    const rotation<Real> mirror = rotation_by(half);
+    const rotation<Real> mirror = rotation_by(half_azimuth);
     roots.root[0] = scattering_root<Real>{Real(0) - side * mirror.sine, absolute(mirror.cosine), Real(-1)};
-    roots.count = half == half ? 1u : 0u;
+    roots.count = half_azimuth == half_azimuth ? 1u : 0u;
   }
   if (path == 1) {
     // δ = γ_i - γ_t = (π - φ)/2 and Snell's law give tan γ_i = η′ sin δ/(η′ cos δ - 1).
-    const rotation<Real> mirror = rotation_by(half);
+    const rotation<Real> mirror = rotation_by(half_azimuth);
     const Real cosine_bend = mirror.sine;
     const Real sine_bend = mirror.cosine;
     const Real along = (above_one * cosine_bend * cosine_bend - sine_bend * sine_bend) / (eta * cosine_bend + Real(1));
     const Real aside = eta * sine_bend;
-    const Real length = square_root(along * along + aside * aside);
-    if (along >= Real(0) && length > Real(0)) {
-      const Real sine = aside / length;
-      const Real cosine = along / length;
+    const Real hypotenuse = square_root(along * along + aside * aside);
+    if (along >= Real(0) && hypotenuse > Real(0)) {
+      const Real sine = aside / hypotenuse;
+      const Real cosine = along / hypotenuse;
       const Real inside = square_root((eta - sine) * (eta + sine));
       const Real slope = Real(0) - above_one / ((cosine + inside) * inside);
       roots.root[0] = scattering_root<Real>{side * sine, cosine, slope};
@@ -255,18 +249,18 @@ scattering_roots<Real> find_scattering_roots(int path, Real phi, Real excess) no
   if (path == 2) {
     const caustic_point<Real> caustic = find_caustic(above_one);
     const Real edge = edge_half_azimuth(above_one);
-    if (caustic.curvature > Real(0) && half <= caustic.half_azimuth) {
-      const scattering_root<Real> near = solve_stretch(above_one, half, true, caustic);
+    if (caustic.curvature > Real(0) && half_azimuth <= caustic.half_azimuth) {
+      const scattering_root<Real> near = solve_stretch(above_one, half_azimuth, true, caustic);
       roots.root[roots.count] = scattering_root<Real>{side * near.sine, near.cosine, near.slope};
       roots.count = roots.count + 1u;
-      if (half >= edge) {
-        const scattering_root<Real> far = solve_stretch(above_one, half, false, caustic);
+      if (half_azimuth >= edge) {
+        const scattering_root<Real> far = solve_stretch(above_one, half_azimuth, false, caustic);
         roots.root[roots.count] = scattering_root<Real>{side * far.sine, far.cosine, far.slope};
         roots.count = roots.count + 1u;
       }
     }
-    if (Real(0) - half >= edge) {
-      const scattering_root<Real> opposite = solve_stretch(above_one, Real(0) - half, false, caustic);
+    if (Real(0) - half_azimuth >= edge) {
+      const scattering_root<Real> opposite = solve_stretch(above_one, Real(0) - half_azimuth, false, caustic);
       roots.root[roots.count] = scattering_root<Real>{Real(0) - side * opposite.sine, opposite.cosine, opposite.slope};
       roots.count = roots.count + 1u;
     }

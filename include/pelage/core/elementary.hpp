@@ -71,6 +71,10 @@ template <real_number Real>
 template <std::floating_point Real>
 [[nodiscard]] inline Real natural_logarithm(Real x) noexcept;
 
+/// xʸ for a base in [0, 1] and an exponent in [0, inf): power_of_cosine() in float.
+template <std::floating_point Real>
+[[nodiscard]] inline Real power_of_share(Real x, Real y) noexcept;
+
 /// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
 /// gives 0. The length of the vector does not matter but for overflow of neither and NaN in either, which give NaN.
 template <real_number Real>
@@ -188,6 +192,15 @@ Real natural_logarithm(Real x) noexcept {
     return std::log(x);
   } else {
     return fast_log2(x) * 0.693147182f;
+  }
+}
+
+template <std::floating_point Real>
+Real power_of_share(Real x, Real y) noexcept {
+  if constexpr (sizeof(Real) > 4) {
+    return std::pow(x, y);
+  } else {
+    return power_of_cosine(x, y);
   }
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/math.hpp>
+#include <pelage/core/vector_math.hpp>
 
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <concepts>
@@ -37,25 +37,25 @@ closest_pair<Real> closest_points(const glm::vec<3, Real>& origin, const glm::ve
                                   const glm::vec<3, Real>& start, const glm::vec<3, Real>& end) noexcept {
   const glm::vec<3, Real> axis = end - start;
   const glm::vec<3, Real> offset = start - origin;
-  const Real direction2 = glm::dot(direction, direction);
-  const Real axis2 = glm::dot(axis, axis);
+  const Real direction2 = dot_product(direction, direction);
+  const Real axis2 = dot_product(axis, axis);
 
   // Seen along the ray the segment is offset × d + s (axis × d): the least of that is the closest point. The cross
   // products keep the digits that d·d a·a - (d·a)² loses when the two are nearly parallel.
-  const glm::vec<3, Real> offset_seen = glm::cross(offset, direction);
-  const glm::vec<3, Real> axis_seen = glm::cross(axis, direction);
-  const Real seen2 = glm::dot(axis_seen, axis_seen);
-  Real s = glm::dot(axis, direction) < Real(0) ? Real(1) : Real(0);
+  const glm::vec<3, Real> offset_seen = cross_product(offset, direction);
+  const glm::vec<3, Real> axis_seen = cross_product(axis, direction);
+  const Real seen2 = dot_product(axis_seen, axis_seen);
+  Real s = dot_product(axis, direction) < Real(0) ? Real(1) : Real(0);
   if (seen2 > Real(0)) {
-    s = saturate(-glm::dot(offset_seen, axis_seen) / seen2);
+    s = saturate(-dot_product(offset_seen, axis_seen) / seen2);
   }
-  Real t = glm::dot(offset + s * axis, direction) / direction2;
+  Real t = dot_product(offset + s * axis, direction) / direction2;
   if (t < Real(0)) {
     t = Real(0);
-    s = axis2 > Real(0) ? saturate(-glm::dot(offset, axis) / axis2) : Real(0);
+    s = axis2 > Real(0) ? saturate(-dot_product(offset, axis) / axis2) : Real(0);
   }
   const glm::vec<3, Real> gap = offset + s * axis - t * direction;
-  return closest_pair<Real>{t, s, glm::length(gap)};
+  return closest_pair<Real>{t, s, vector_length(gap)};
 }
 
 }  // namespace pelage

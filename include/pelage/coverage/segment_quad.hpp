@@ -3,8 +3,8 @@
 #pragma once
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/ray_cone.hpp>
+#include <pelage/core/vector_math.hpp>
 
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
@@ -67,7 +67,7 @@ glm::vec<3, Real> any_normal(const glm::vec<3, Real>& direction) noexcept {
   const bool along_x = direction.x * direction.x > Real(0.5);
   const glm::vec<3, Real> other =
       along_x ? glm::vec<3, Real>(Real(0), Real(1), Real(0)) : glm::vec<3, Real>(Real(1), Real(0), Real(0));
-  return glm::normalize(glm::cross(direction, other));
+  return unit_vector(cross_product(direction, other));
 }
 
 template <std::floating_point Real>
@@ -76,7 +76,7 @@ segment_quad<Real> expand_segment(const glm::vec<3, Real>& start, const glm::vec
   const glm::vec<3, Real> zero = glm::vec<3, Real>(Real(0));
   segment_quad<Real> quad = segment_quad<Real>{std::array<glm::vec<3, Real>, 4>{zero, zero, zero, zero}, false};
   const glm::vec<3, Real> span = end - start;
-  const Real check = (glm::dot(start, start) + glm::dot(end, end) + fibre_radius) * Real(0);
+  const Real check = (dot_product(start, start) + dot_product(end, end) + fibre_radius) * Real(0);
   const bool start_in = -start.z >= near_plane;
   const bool end_in = -end.z >= near_plane;
   if (check != Real(0) || (!start_in && !end_in)) {
@@ -90,20 +90,20 @@ segment_quad<Real> expand_segment(const glm::vec<3, Real>& start, const glm::vec
 
   const glm::vec<3, Real> ahead = glm::vec<3, Real>(Real(0), Real(0), Real(-1));
   const bool perspective = cone.slope > Real(0);
-  const Real first_distance = perspective ? glm::length(first) : Real(1);
-  const Real last_distance = perspective ? glm::length(last) : Real(1);
+  const Real first_distance = perspective ? vector_length(first) : Real(1);
+  const Real last_distance = perspective ? vector_length(last) : Real(1);
   const glm::vec<3, Real> first_view = perspective ? first / first_distance : ahead;
   const glm::vec<3, Real> last_view = perspective ? last / last_distance : ahead;
 
   // One normal of the plane through the eye and the segment serves both ends; it vanishes where the segment is
   // seen end on, and any side will do there. Where it is short, rounding has tilted it toward the view.
-  const glm::vec<3, Real> plane = glm::cross(first_view, perspective ? last_view : span);
-  const Real plane_length = glm::length(plane);
+  const glm::vec<3, Real> plane = cross_product(first_view, perspective ? last_view : span);
+  const Real plane_length = vector_length(plane);
   const Real end_on = perspective ? Real(1e-6) : Real(1e-18);
-  const glm::vec<3, Real> upright = plane - glm::dot(plane, first_view) * first_view;
-  const glm::vec<3, Real> side = plane_length > end_on ? glm::normalize(upright) : any_normal(first_view);
-  const glm::vec<3, Real> first_along = glm::cross(side, first_view);
-  const glm::vec<3, Real> last_along = glm::cross(side, last_view);
+  const glm::vec<3, Real> upright = plane - dot_product(plane, first_view) * first_view;
+  const glm::vec<3, Real> side = plane_length > end_on ? unit_vector(upright) : any_normal(first_view);
+  const glm::vec<3, Real> first_along = cross_product(side, first_view);
+  const glm::vec<3, Real> last_along = cross_product(side, last_view);
 
   // The wider of the two ends, as seen, serves both: a near end can hide a far one whole. What lies between them is
   // no wider, as distance is convex, but for the stretch, which is greatest where the axis is nearest to the eye.
@@ -116,7 +116,7 @@ segment_quad<Real> expand_segment(const glm::vec<3, Real>& start, const glm::vec
     const Real nearest = closest_points(zero, -ahead, first, last).distance;
     seen = seen * tangent_stretch(reach_at(nearest, fibre_radius, cone, margin) / nearest);
     // Ends that lie far apart, seen from the eye, must not go round behind it.
-    const Real room = Real(0.9) * (Real(1) + glm::dot(first_view, last_view));
+    const Real room = Real(0.9) * (Real(1) + dot_product(first_view, last_view));
     past = seen * plane_length > room ? room / plane_length : seen;
   }
 

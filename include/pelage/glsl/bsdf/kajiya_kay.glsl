@@ -5,6 +5,7 @@
 #define PELAGE_BSDF_KAJIYA_KAY_GLSL
 
 #include "../core/math.glsl"
+#include "../core/vector_math.glsl"
 
 /// The two lobes of a fibre lit from one direction. [Kajiya & Kay 1989, §4]
 struct pelage_kajiya_kay_lobes {
@@ -24,11 +25,11 @@ precise pelage_kajiya_kay_lobes pelage_kajiya_kay(vec3 tangent, vec3 to_light, v
 // ---------------------------------------------------------------------------------------------------------
 
 precise pelage_kajiya_kay_lobes pelage_kajiya_kay(vec3 tangent, vec3 to_light, vec3 to_eye, float exponent) {
-  const float along_light = dot(tangent, to_light);
-  const float along_eye = dot(tangent, to_eye);
+  const float along_light = pelage_dot_product(tangent, to_light);
+  const float along_eye = pelage_dot_product(tangent, to_eye);
   // The sine as a length: √(1 - cos²) would lose half its digits for light along the fibre.
-  const float across_light = pelage_saturate(length(cross(tangent, to_light)));
-  const float across_eye = pelage_saturate(length(cross(tangent, to_eye)));
+  const float across_light = pelage_saturate(pelage_vector_length(pelage_cross_product(tangent, to_light)));
+  const float across_eye = pelage_saturate(pelage_vector_length(pelage_cross_product(tangent, to_eye)));
   const float cosine = pelage_saturate(across_light * across_eye - along_light * along_eye);
   return pelage_kajiya_kay_lobes(across_light, cosine > 0.0 ? pelage_power_of_cosine(cosine, exponent) : 0.0);
 }

@@ -4,6 +4,7 @@
 #ifndef PELAGE_COVERAGE_SEGMENT_QUAD_GLSL
 #define PELAGE_COVERAGE_SEGMENT_QUAD_GLSL
 
+#include "../core/vector_math.glsl"
 #include "closest_points.glsl"
 #include "ray_cone.glsl"
 
@@ -51,7 +52,7 @@ precise float pelage_tangent_stretch(float reach) {
 precise vec3 pelage_any_normal(vec3 direction) {
   const bool along_x = direction.x * direction.x > 0.5;
   const vec3 other = along_x ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
-  return normalize(cross(direction, other));
+  return pelage_unit_vector(pelage_cross_product(direction, other));
 }
 
 precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fibre_radius, pelage_ray_cone cone,
@@ -59,7 +60,7 @@ precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fi
   const vec3 zero = vec3(0.0);
   pelage_segment_quad quad = pelage_segment_quad(vec3[4](zero, zero, zero, zero), false);
   const vec3 span = end - start;
-  const float check = (dot(start, start) + dot(end, end) + fibre_radius) * 0.0;
+  const float check = (pelage_dot_product(start, start) + pelage_dot_product(end, end) + fibre_radius) * 0.0;
   const bool start_in = -start.z >= near_plane;
   const bool end_in = -end.z >= near_plane;
   if (check != 0.0 || (!start_in && !end_in)) {
@@ -73,20 +74,20 @@ precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fi
 
   const vec3 ahead = vec3(0.0, 0.0, -1.0);
   const bool perspective = cone.slope > 0.0;
-  const float first_distance = perspective ? length(first) : 1.0;
-  const float last_distance = perspective ? length(last) : 1.0;
+  const float first_distance = perspective ? pelage_vector_length(first) : 1.0;
+  const float last_distance = perspective ? pelage_vector_length(last) : 1.0;
   const vec3 first_view = perspective ? first / first_distance : ahead;
   const vec3 last_view = perspective ? last / last_distance : ahead;
 
   // One normal of the plane through the eye and the segment serves both ends; it vanishes where the segment is
   // seen end on, and any side will do there. Where it is short, rounding has tilted it toward the view.
-  const vec3 plane = cross(first_view, perspective ? last_view : span);
-  const float plane_length = length(plane);
+  const vec3 plane = pelage_cross_product(first_view, perspective ? last_view : span);
+  const float plane_length = pelage_vector_length(plane);
   const float end_on = perspective ? 1e-6 : 1e-18;
-  const vec3 upright = plane - dot(plane, first_view) * first_view;
-  const vec3 side = plane_length > end_on ? normalize(upright) : pelage_any_normal(first_view);
-  const vec3 first_along = cross(side, first_view);
-  const vec3 last_along = cross(side, last_view);
+  const vec3 upright = plane - pelage_dot_product(plane, first_view) * first_view;
+  const vec3 side = plane_length > end_on ? pelage_unit_vector(upright) : pelage_any_normal(first_view);
+  const vec3 first_along = pelage_cross_product(side, first_view);
+  const vec3 last_along = pelage_cross_product(side, last_view);
 
   // The wider of the two ends, as seen, serves both: a near end can hide a far one whole. What lies between them is
   // no wider, as distance is convex, but for the stretch, which is greatest where the axis is nearest to the eye.
@@ -99,7 +100,7 @@ precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fi
     const float nearest = pelage_closest_points(zero, -ahead, first, last).distance;
     seen = seen * pelage_tangent_stretch(pelage_reach_at(nearest, fibre_radius, cone, margin) / nearest);
     // Ends that lie far apart, seen from the eye, must not go round behind it.
-    const float room = 0.9 * (1.0 + dot(first_view, last_view));
+    const float room = 0.9 * (1.0 + pelage_dot_product(first_view, last_view));
     past = seen * plane_length > room ? room / plane_length : seen;
   }
 
