@@ -74,12 +74,11 @@ void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
   app.add_option("--bsdf", o.model, "how a fibre scatters light")
       ->check(CLI::IsMember(names(model_names)))
       ->capture_default_str();
-  CLI::Option* colour = app.add_option("--hair-colour", o.colour,
-                                       "pigment by name; without it and --melanin kajiya_kay draws the model's own "
-                                       "colours, the others brown hair")
-                            ->check(CLI::IsMember(names(colour_names)));
+  CLI::Option* colour =
+      app.add_option("--hair-colour", o.colour, "pigment by name; without it and --melanin the model's own colour")
+          ->check(CLI::IsMember(names(colour_names)));
   app.add_option("--melanin", o.melanin,
-                 "EUMELANIN[,PHEOMELANIN], [0, 100]: blond 0.3,0.05, red 0.35,1.6, brown 1.3,0.1, black 8")
+                 "EUMELANIN[,PHEOMELANIN], [0, 100]: blond 0.3,0.05, red 0.1,0.7, brown 1.3,0.1, black 8")
       ->delimiter(',')
       ->expected(1, 2)
       ->check(CLI::Range(0.0, 100.0))
@@ -90,7 +89,7 @@ void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
           ->delimiter(',')
           ->expected(1, 2)
           ->check(CLI::Range(0.05, 1.0))
-          ->default_str("0.3"),
+          ->default_str("0.2,0.3"),
       app.add_option("--tilt", look.tilt, "of the cuticle's scales toward the tip, degrees, [-20, 20]")
           ->check(CLI::Range(-20.0, 20.0))};
   for (CLI::Option* option : o.of_fibres)
