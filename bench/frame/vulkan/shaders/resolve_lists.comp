@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// As resolve_runs.comp from the A-buffer's lists: each step waits for the link that the last one read.
+// The K nearest of each pixel of the A-buffer by select-and-replace, in registers. In: pool, links. Out: what the sink
+// writes. One invocation a pixel; bounded by K compares a fragment that enters, in every lane of a subgroup where one
+// does, and by the lists: each step waits for the link that the last one read.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "sink.glsl"
