@@ -124,6 +124,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   std::string order = name_of(s.order);
   std::string shown = name_of(s.shown);
   std::string antialias = "on";
+  std::string device = "cpu";
   std::vector<std::string> lights;
   std::vector<float> from;
 
@@ -169,6 +170,11 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
       ->delimiter(',')
       ->expected(2);
   app.add_option("--threads", c.threads, "0: one a core")->check(CLI::Range(0, 1024));
+  app.add_option("--device", device, "what draws: cpu or vulkan")
+      ->check(CLI::IsMember({"cpu", "vulkan"}))
+      ->capture_default_str();
+  app.add_option("--frames", c.frames, "drawn by --device vulkan; the report has their median times")
+      ->check(CLI::Range(1, 100000));
   app.add_option("--shuffle", s.shuffle, "draw segments in an order of this seed; the picture is the same")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
@@ -183,6 +189,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   s.antialias = antialias == "on";
   read_look(look, s.look);
   s.on_bust = c.hair.empty();
+  c.on_device = device == "vulkan";
   for (const std::string& text : lights)
     s.lights.push_back(parse_light(text));
   if (!from.empty()) s.from = glm::vec2(from[0], from[1]);
