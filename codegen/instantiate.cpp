@@ -4,10 +4,10 @@
 /// float. A template with a size appears twice: the first size is the macro's default, the second one shows that the
 /// translation does not depend on it.
 ///
-/// Left out is what has no meaning in a shader: headers that do for a whole span on a CPU, in vectors, what a mirrored
-/// one does for one pixel or fibre (core/lanes, order/k_select, nearest_keys, lane_network, vector_lanes, slice_sort,
-/// visibility/occupancy_batch, bsdf/chiang_batch, chiang_quad), and core/assert and core/fetch_minimum, which stand for
-/// what GLSL lacks and for what it has.
+/// Left out is what has no meaning in a shader: headers that do for a whole span on a CPU, in vectors or blocks, what a
+/// mirrored one does for one pixel or fibre (core/lanes, order/block_list_storage, k_select, nearest_keys,
+/// lane_network, vector_lanes, slice_sort, visibility/occupancy_batch, bsdf/chiang_batch, chiang_quad), and core/assert
+/// and core/fetch_minimum, which stand for what GLSL lacks and for what it has.
 #include <pelage/bsdf/azimuthal.hpp>
 #include <pelage/bsdf/bessel.hpp>
 #include <pelage/bsdf/chiang.hpp>

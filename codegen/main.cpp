@@ -216,14 +216,14 @@ class generator : public ASTConsumer {
   void note_doc(const NamespaceDecl* space) {
     if (!wanted(space)) return;
     unit* u = find(sources_.getFileID(sources_.getExpansionLoc(space->getLocation())));
-    if (u == nullptr || !u->doc.empty()) return;
+    if (u == nullptr) return;
     const llvm::StringRef text = sources_.getBufferData(sources_.getFileID(space->getBeginLoc()));
     const std::size_t begin = sources_.getFileOffset(space->getBeginLoc());
-    u->doc = doc_lines_above(text, begin);
-    if (!u->doc.empty()) return;
     const llvm::StringRef inside = text.substr(text.find('{', begin) + 1).ltrim();
-    const std::string doc = doc_lines_above(inside, inside.find("\n\n") + 1);
-    if (inside.startswith(doc)) u->doc = doc;
+    const std::string first = doc_lines_above(inside, inside.find("\n\n") + 1);
+    for (const std::string& doc : {doc_lines_above(text, begin), inside.startswith(first) ? first : std::string()}) {
+      if (u->doc.find(doc) == std::string::npos) u->doc += (u->doc.empty() ? "" : "\n") + doc;
+    }
   }
 
   const settings& settings_;

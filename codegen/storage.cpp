@@ -63,8 +63,8 @@ bool translator::storage_expression(const Expr* e, std::string& text, position a
   if (const auto* c = dyn_cast<CallExpr>(e); c != nullptr && c->getDirectCallee() != nullptr) {
     // std::atomic_ref has no minimum before C++26: the library's own stands for GLSL's.
     const std::string name = c->getDirectCallee()->getQualifiedNameAsString();
-    if (name == "pelage::fetch_minimum" || name == "pelage::fetch_maximum") {
-      text = atomic(c, c->getArg(0), name == "pelage::fetch_minimum" ? "fetch_min" : "fetch_max", 1, at);
+    if (name == "pelage::fetch_minimum") {
+      text = atomic(c, c->getArg(0), "fetch_min", 1, at);
       return true;
     }
   }
@@ -126,9 +126,9 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
     return arg(0) + " = " +
            acquire("atomicCompSwap(" + target + ", " + arg(0) + ", " + release(arg(1), arg(2)) + ")", arg(2));
   }
-  static const std::map<std::string, std::string> same = {
-      {"exchange", "atomicExchange"}, {"fetch_add", "atomicAdd"}, {"fetch_and", "atomicAnd"}, {"fetch_or", "atomicOr"},
-      {"fetch_xor", "atomicXor"},     {"fetch_min", "atomicMin"}, {"fetch_max", "atomicMax"}};
+  static const std::map<std::string, std::string> same = {{"exchange", "atomicExchange"}, {"fetch_add", "atomicAdd"},
+                                                          {"fetch_and", "atomicAnd"},     {"fetch_or", "atomicOr"},
+                                                          {"fetch_xor", "atomicXor"},     {"fetch_min", "atomicMin"}};
   const auto found = same.find(name);
   if (found == same.end()) return reject(c->getBeginLoc(), "std::atomic_ref::" + name + " has no GLSL form");
   return acquire(found->second + "(" + target + ", " + release(arg(0), arg(1)) + ")", arg(1));

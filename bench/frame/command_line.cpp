@@ -150,6 +150,10 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--order", order, "how fragments are put in order")
       ->check(CLI::IsMember(names(order_names)))
       ->capture_default_str();
+  app.add_option("--shadow", c.shadow,
+                 "what a light's map keeps: k_buffer, occupancy, opacity:N or deep_opacity:N with N layers, 4 to 256, "
+                 "deep:ERR with the greatest error, or exact; --k and --order are k_buffer's")
+      ->capture_default_str();
   app.add_option("--components", shown, "what is drawn")
       ->check(CLI::IsMember(names(component_names)))
       ->capture_default_str();
@@ -175,6 +179,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
 
   read_size(size, s);
   s.order = order_names.at(order);
+  s.shadow = parse_shadow(c.shadow);
   s.shown = component_names.at(shown);
   s.antialias = antialias == "on";
   read_look(look, s.look);

@@ -12,13 +12,14 @@ namespace pelage::frame {
 
 /// What the user asks the program for.
 struct command_line {
-  std::string hair;               ///< a .hair or .tfx file; empty: the built-in model
-  std::uint32_t follow = 0;       ///< follow strands for each strand of the file
-  float follow_radius = 0.0F;     ///< length units; 0: 0.6 % of the model's size
-  std::uint32_t strands = 50000;  ///< of the built-in model
-  std::uint32_t segments = 48;    ///< of each of its strands
-  std::uint64_t seed = 1;         ///< of the built-in model and of follow strands
-  int threads = 0;                ///< 0: one a core
+  std::string hair;                 ///< a .hair or .tfx file; empty: the built-in model
+  std::uint32_t follow = 0;         ///< follow strands for each strand of the file
+  float follow_radius = 0.0F;       ///< length units; 0: 0.6 % of the model's size
+  std::uint32_t strands = 50000;    ///< of the built-in model
+  std::uint32_t segments = 48;      ///< of each of its strands
+  std::uint64_t seed = 1;           ///< of the built-in model and of follow strands
+  int threads = 0;                  ///< 0: one a core
+  std::string shadow = "k_buffer";  ///< as parse_shadow() reads it
   std::string out = "out/frame.png";
   std::string report;   ///< a JSON file; empty: none
   std::string compare;  ///< a PNG; empty: none

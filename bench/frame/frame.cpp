@@ -7,7 +7,6 @@
 #include <chrono>
 #include <memory>
 
-#include "frame/shadows/k_buffer_shadow.hpp"
 #include "frame/stage.hpp"
 
 namespace pelage::frame {
@@ -41,12 +40,11 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
       progress(name, static_cast<double>(rasters.size()) / passes);
       const clock::time_point pass_start = clock::now();
       rasters.push_back(std::make_unique<raster>(fibres, set.light_views[i], true));
-      auto map = std::make_unique<k_buffer_shadow>(*rasters.back(), world.opaque, settings.k,
-                                                   has_translucency(settings.shown));
       const double prepared = seconds_since(pass_start);
-      const order_report report = run_order_pass(*rasters.back(), map->limit(), options, *map);
-      result.passes.push_back({name, prepared, report, map->bytes()});
-      l.shadow = std::move(map);
+      cast_shadow made =
+          cast(settings.shadow, *rasters.back(), world.opaque, options, has_translucency(settings.shown));
+      result.passes.push_back({name, prepared, made.report, made.map->bytes()});
+      l.shadow = std::move(made.map);
     }
     world.lights.push_back(std::move(l));
   }

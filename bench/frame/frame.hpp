@@ -11,6 +11,7 @@
 #include "frame/image.hpp"
 #include "frame/order_pass.hpp"
 #include "frame/shading.hpp"
+#include "frame/shadows/shadow_choice.hpp"
 
 namespace pelage::frame {
 
@@ -23,6 +24,7 @@ struct frame_settings {
   int map_size = 0;  ///< texels a side of each light's map, [2, 16384]; 0: the picture's larger side, at most 2048
   order_method order = order_method::k_buffer;
   std::uint32_t k = 16;  ///< one of compiled_k
+  shadow_choice shadow;
   components shown = components::full;
   fibre_look look;  ///< how fibres scatter light
   bool antialias = true;

@@ -69,6 +69,7 @@ nlohmann::json report_of(const command_line& c, const hair_model& model, const f
           {"width", c.settings.width},
           {"height", c.settings.height},
           {"order", name_of(c.settings.order)},
+          {"shadow", c.shadow},
           {"components", name_of(c.settings.shown)},
           {"bsdf", name_of(c.settings.look.model)},
           {"k", c.settings.k},

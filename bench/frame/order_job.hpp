@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "frame/compiled_sizes.hpp"
 #include "frame/order_pass.hpp"
 #include "frame/raster.hpp"
 
@@ -105,10 +106,8 @@ class pixel_resolver {
 /// Calls `run` with K as a std::integral_constant. Throws std::invalid_argument for one that is not compiled.
 template <class Run>
 void with_compiled_k(std::uint32_t k, Run&& run) {
-  const auto try_all = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return ((compiled_k[I] == k && (run(std::integral_constant<std::uint32_t, compiled_k[I]>{}), true)) || ...);
-  };
-  if (!try_all(std::make_index_sequence<compiled_k.size()>{})) {
+  const auto constant = [&]<std::uint32_t K>() { run(std::integral_constant<std::uint32_t, K>{}); };
+  if (!with_compiled_size<compiled_k>(k, constant)) {
     throw std::invalid_argument("k must be one of 1, 2, 4, 8, 16, 32, 64");
   }
 }

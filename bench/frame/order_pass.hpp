@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/composite/tail.hpp>
+#include <pelage/core/fragment.hpp>
 
 #include <array>
 #include <cstdint>
@@ -30,6 +31,10 @@ struct seen_fragment {
   std::uint32_t id;
   touch where;
 };
+
+[[nodiscard]] inline fragment fragment_of(const seen_fragment& f) {
+  return {f.where.depth, f.id};
+}
 
 /// What becomes of the fragments once they are in order. Calls for different pixels come from many threads at once,
 /// those for one pixel from one thread after the other.

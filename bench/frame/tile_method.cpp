@@ -16,10 +16,6 @@
 namespace pelage::frame {
 namespace {
 
-fragment fragment_of(const seen_fragment& f) {
-  return {f.where.depth, f.id};
-}
-
 /// What one thread needs for a tile. Fragments are gathered, without regard to pixels, in an array of fixed size;
 /// whenever it is full, and at the end, they are put in order by pixel, and each pixel keeps the K nearest.
 template <std::uint32_t K>

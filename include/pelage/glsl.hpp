@@ -22,7 +22,8 @@ inline constexpr char core_math_0[] = R"glsl(// Copyright (c) 2026 The Pelage au
 /// x².
 precise float pelage_sqr(float x);
 
-/// √x, and 0 where x is negative or NaN: the guard for 1 - sin² that rounding made negative.
+/// √x, and 0 where x is negative or NaN: the guard for 1 - sin² that rounding made negative. Denormals, which a GPU
+/// may flush, count as 0.
 precise float pelage_safe_sqrt(float x);
 
 /// x held to [0, 1]; NaN gives 0.
@@ -47,7 +48,7 @@ precise float pelage_sqr(float x) {
 }
 
 precise float pelage_safe_sqrt(float x) {
-  return x > 0.0 ? sqrt(x) : 0.0;
+  return x >= 1.1754944e-38 ? sqrt(x) : 0.0;
 }
 
 float pelage_saturate(float x) {
@@ -4825,8 +4826,8 @@ void pelage_extend_depth_range(uint texel, float depth);
 pelage_depth_range pelage_load_depth_range(uint texel);
 
 /// True for depths that a range takes in.
-precise bool pelage_is_finite_depth(float depth) {
-  return depth >= -3.40282347e38 && depth <= 3.40282347e38;
+bool pelage_is_finite_depth(float depth) {
+  return (floatBitsToUint(depth) & 0x7fffffffu) < 0x7f800000u;
 }
 
 // ---------------------------------------------------------------------------------------------------------

@@ -110,7 +110,10 @@ TEST_CASE("power_of_cosine counts a base without a logarithm as 0, and 0 to the 
 }
 
 TEST_CASE("safe_sqrt is the root, and 0 where there is none") {
-  holds("the root of what has one", [](float x) { RC_ASSERT(safe_sqrt(x) == (x > 0.0f ? std::sqrt(x) : 0.0f)); });
+  constexpr float least = std::numeric_limits<float>::min();
+  holds("the root of what has one", [](float x) { RC_ASSERT(safe_sqrt(x) == (x >= least ? std::sqrt(x) : 0.0f)); });
+  CHECK(safe_sqrt(least) == std::sqrt(least));
+  CHECK(safe_sqrt(0.5f * least) == 0.0f);
   CHECK(safe_sqrt(nan) == 0.0f);
   CHECK(safe_sqrt(inf) == inf);
 }

@@ -115,6 +115,7 @@ TEST_CASE("the report has every pass with its fragments, longest list, memory an
   CHECK(report["width"] == 24);
   CHECK(report["k"] == 4);
   CHECK(report["order"] == "k_buffer");
+  CHECK(report["shadow"] == "k_buffer");
   CHECK(report["components"] == "full");
   CHECK(report["threads"] == 3);
   CHECK(report["seconds"] > 0.0);
@@ -236,6 +237,8 @@ TEST_CASE("an option that cannot be is refused in one line, and nothing is writt
   for (const std::string k : {"0", "3", "128", "many"})
     t.check_refused("--out a.png --k " + k, "--k");
   t.check_refused("--out a.png --order bubble_sort", "--order");
+  t.check_refused("--out a.png --shadow opacity:0", "--shadow 'opacity:0': opacity must be followed by :N");
+  t.check_refused("--out a.png --shadow deep:nan", "--shadow 'deep:nan'");
   t.check_refused("--out a.png --components most", "--components");
   t.check_refused("--out a.png --aa maybe", "--aa");
   t.check_refused("--out a.png --alpha 1.5", "--alpha");
@@ -293,10 +296,11 @@ TEST_CASE("help is no failure") {
   const terminal t;
   CHECK(t.run("--help") == 0);
   CHECK(t.complaint().empty());
-  for (const char* option : {"--hair",        "--follow",  "--strands",    "--segments", "--seed",   "--size",
-                             "--k",           "--order",   "--components", "--aa",       "--alpha",  "--bsdf",
-                             "--hair-colour", "--melanin", "--eta",        "--beta",     "--tilt",   "--fibre-radius",
-                             "--lights",      "--threads", "--out",        "--report",   "--compare"}) {
+  for (const char* option :
+       {"--hair",    "--follow", "--strands",    "--segments", "--seed",         "--size",   "--k",
+        "--order",   "--shadow", "--components", "--aa",       "--alpha",        "--bsdf",   "--hair-colour",
+        "--melanin", "--eta",    "--beta",       "--tilt",     "--fibre-radius", "--lights", "--threads",
+        "--out",     "--report", "--compare"}) {
     CHECK(t.printed().find(option) != std::string::npos);
   }
 }

@@ -146,7 +146,8 @@ std::array<double, 2> furnace(const seen_fibre& seen) {
   std::array<double, 2> sums{};
   for (std::size_t i = 0; i < 2; ++i) {
     std::size_t r = 0;
-    sums[i] = integrate_sphere<float>(thetas, phis, [&](const glm::vec3&) { return run.results(r++).d(i == 0 ? 1 : 4); });
+    sums[i] =
+        integrate_sphere<float>(thetas, phis, [&](const glm::vec3&) { return run.results(r++).d(i == 0 ? 1 : 4); });
   }
   return sums;
 }

@@ -91,6 +91,7 @@ struct device::state {
   std::uint32_t workgroup = 0;
   std::uint32_t complaints = 0;
   bool validated = false;
+  bool atomic_int64 = false;
 
   struct pipeline {
     VkDescriptorSetLayout set = VK_NULL_HANDLE;
@@ -206,6 +207,7 @@ struct device::state {
     want.sType = has.sType;
     want.pNext = &want12;
     want.features.shaderInt64 = has.features.shaderInt64;
+    atomic_int64 = has.features.shaderInt64 == VK_TRUE && has12.shaderBufferInt64Atomics == VK_TRUE;
 
     const float priority = 1.0F;
     VkDeviceQueueCreateInfo queues{};
@@ -437,6 +439,9 @@ const std::string& device::name() const {
 }
 bool device::is_cpu() const {
   return state_->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
+bool device::has_atomic_int64() const {
+  return state_->atomic_int64;
 }
 std::uint32_t device::workgroup() const {
   return state_->workgroup;

@@ -29,6 +29,7 @@ class device {
 
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] bool is_cpu() const;
+  [[nodiscard]] bool has_atomic_int64() const;  ///< on 64-bit words of buffers
   [[nodiscard]] std::uint32_t workgroup() const;
   [[nodiscard]] bool validated() const;            ///< the validation layer is on
   [[nodiscard]] std::uint32_t complaints() const;  ///< messages of the validation layer so far

@@ -19,12 +19,12 @@ namespace {
 using words = rc::Gen<std::uint32_t>;
 
 /// Whether a sum over a path's roots has float's precision: as the header says, |dφ/dh| ≥ 0.2 at each, and none about
-/// to appear.
+/// to appear, at the caustic or at the fibre's edge.
 bool well_conditioned(const fibre_section<double>& section, int path, double phi) {
   const scattering_roots<double> roots = find_scattering_roots(path, phi, section.excess);
   for (std::uint32_t k = 0; k < roots.count; ++k) {
     const scattering_root<double>& root = roots.root[k];
-    if (2.0 * std::abs(root.slope) < 0.2 * root.cosine) return false;
+    if (2.0 * std::abs(root.slope) < 0.2 * root.cosine || root.cosine < 0.03) return false;
   }
   if (path != 2) return true;
   const double phi_c = 2.0 * find_caustic(section.excess).half_azimuth;

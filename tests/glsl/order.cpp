@@ -10,6 +10,7 @@
 
 #include "glsl/comparison.hpp"
 #include "glsl/kernels.hpp"
+#include "glsl/offers.hpp"
 #include "property.hpp"
 
 namespace pelage::test {
@@ -75,12 +76,9 @@ struct frame {
   std::vector<std::uint32_t> counters{0U, 0U};  ///< taken, refused
 
   frame(std::uint32_t lists, std::uint32_t capacity, std::uint32_t limit, const std::vector<fragment>& fragments)
-      : offers{limit, lists}, links(lists + capacity, no_node()), nodes(2 * static_cast<std::size_t>(capacity)) {
-    for (const fragment& f : fragments) {
-      offers.push_back(std::bit_cast<std::uint32_t>(f.depth));
-      offers.push_back(f.id);
-    }
-  }
+      : offers(offers_of(limit, lists, fragments)),
+        links(lists + capacity, no_node()),
+        nodes(2 * static_cast<std::size_t>(capacity)) {}
 
   void run(const kernel& k) {
     std::vector<std::uint32_t>* const buffers[] = {&offers, &links, &nodes, &counters};
@@ -96,17 +94,6 @@ struct frame {
     return all;
   }
 };
-
-/// Many fragments from one drawn number: rapidcheck's own containers are made for tens, not for 60 000.
-std::vector<fragment> many(std::uint32_t seed, std::uint32_t count, std::uint32_t depths) {
-  std::vector<fragment> all(count);
-  std::uint32_t state = seed * 2654435761U + 12345U;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    state = state * 1664525U + 1013904223U;
-    all[i] = fragment{static_cast<float>((state >> 8U) % depths), i};
-  }
-  return all;
-}
 
 /// The same inserts one after another on the CPU.
 template <typename Insert>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <limits>
 
 namespace pelage {
 
@@ -12,7 +13,8 @@ namespace pelage {
 template <std::floating_point Real>
 [[nodiscard]] constexpr Real sqr(Real x) noexcept;
 
-/// √x, and 0 where x is negative or NaN: the guard for 1 - sin² that rounding made negative.
+/// √x, and 0 where x is negative or NaN: the guard for 1 - sin² that rounding made negative. Denormals, which a GPU
+/// may flush, count as 0.
 template <std::floating_point Real>
 [[nodiscard]] Real safe_sqrt(Real x) noexcept;
 
@@ -41,7 +43,7 @@ constexpr Real sqr(Real x) noexcept {
 
 template <std::floating_point Real>
 Real safe_sqrt(Real x) noexcept {
-  return x > Real(0) ? std::sqrt(x) : Real(0);
+  return x >= std::numeric_limits<Real>::min() ? std::sqrt(x) : Real(0);
 }
 
 template <std::floating_point Real>

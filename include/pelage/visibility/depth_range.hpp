@@ -7,6 +7,7 @@
 #include <pelage/visibility/cell_storage.hpp>
 
 #include <atomic>
+#include <bit>
 #include <cstdint>
 
 namespace pelage {
@@ -59,7 +60,7 @@ constexpr depth_range depth_range::empty() noexcept {
 
 /// True for depths that a range takes in.
 [[nodiscard]] constexpr bool is_finite_depth(float depth) noexcept {
-  return depth >= -3.40282347e38f && depth <= 3.40282347e38f;
+  return (std::bit_cast<std::uint32_t>(depth) & 0x7fffffffu) < 0x7f800000u;
 }
 
 constexpr void depth_range::extend(float depth) noexcept {

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 // Each feature of the subset, as pelage-glsl translates it.
-#define STRIDE 12u
+#define STRIDE 13u
 #define RESULTS 21u
 #include "table.glsl"
 
@@ -27,7 +27,7 @@ void main() {
   put(9u, rest);
   put(10u, features_members(a.x, a.y, features_third));
   put(11u, features_wide(u(10u), u(11u)));
-  put(12u, features_limits(b.y));
+  put(12u, features_limits(f(12u)));
   features_ring ring = features_empty_ring();
   for (uint i = 0u; i < 12u; ++i) {
     features_ring_push(ring, u(i));

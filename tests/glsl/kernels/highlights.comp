@@ -3,21 +3,17 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define STRIDE 13u
-#define RESULTS 8u
+#define RESULTS 6u
 #include "table.glsl"
 
-#include "pelage/glsl/bsdf/kajiya_kay.glsl"
 #include "pelage/glsl/bsdf/kajiya_kay_highlights.glsl"
 
 void main() {
   if (outside()) return;
-  const pelage_kajiya_kay_lobes lobes = pelage_kajiya_kay(v3(0u), v3(3u), v3(6u), f(9u));
-  put(0u, lobes.diffuse);
-  put(1u, lobes.specular);
   const pelage_double_highlight both = pelage_kajiya_kay_double(
       v3(0u), v3(3u), v3(6u), pelage_highlight_shape(f(9u), f(10u)), pelage_highlight_shape(f(11u), f(12u)));
-  put(2u, both.primary);
-  put(3u, both.secondary);
-  put(4u, pelage_shifted_tangent(v3(0u), v3(3u), f(10u)));
-  put(7u, pelage_normalised_fibre_diffuse(f(11u)));
+  put(0u, both.primary);
+  put(1u, both.secondary);
+  put(2u, pelage_shifted_tangent(v3(0u), v3(3u), f(10u)));
+  put(5u, pelage_normalised_fibre_diffuse(f(11u)));
 }

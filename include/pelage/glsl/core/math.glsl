@@ -7,7 +7,8 @@
 /// x².
 precise float pelage_sqr(float x);
 
-/// √x, and 0 where x is negative or NaN: the guard for 1 - sin² that rounding made negative.
+/// √x, and 0 where x is negative or NaN: the guard for 1 - sin² that rounding made negative. Denormals, which a GPU
+/// may flush, count as 0.
 precise float pelage_safe_sqrt(float x);
 
 /// x held to [0, 1]; NaN gives 0.
@@ -32,7 +33,7 @@ precise float pelage_sqr(float x) {
 }
 
 precise float pelage_safe_sqrt(float x) {
-  return x > 0.0 ? sqrt(x) : 0.0;
+  return x >= 1.1754944e-38 ? sqrt(x) : 0.0;
 }
 
 float pelage_saturate(float x) {

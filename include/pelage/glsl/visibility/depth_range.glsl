@@ -47,8 +47,8 @@ void pelage_extend_depth_range(uint texel, float depth);
 pelage_depth_range pelage_load_depth_range(uint texel);
 
 /// True for depths that a range takes in.
-precise bool pelage_is_finite_depth(float depth) {
-  return depth >= -3.40282347e38 && depth <= 3.40282347e38;
+bool pelage_is_finite_depth(float depth) {
+  return (floatBitsToUint(depth) & 0x7fffffffu) < 0x7f800000u;
 }
 
 // ---------------------------------------------------------------------------------------------------------

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/shadows/deep_shadow.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace pelage::frame {
+
+/// deep_shadow_storage for look-ups.
+struct deep_shadow::stored_vertices {
+  const deep_shadow_vertex* all;
+
+  [[nodiscard]] std::uint32_t vertex_capacity() const noexcept { return 0xffffffffU; }
+  [[nodiscard]] deep_shadow_vertex read_vertex(std::uint32_t n) const noexcept { return all[n]; }
+  void write_vertex(std::uint32_t, deep_shadow_vertex) noexcept {}
+};
+
+void deep_shadow::fill(int x, int y, std::span<seen_fragment> all) {
+  std::sort(all.begin(), all.end(),
+            [](const seen_fragment& a, const seen_fragment& b) { return before(fragment_of(a), fragment_of(b)); });
+  static thread_local std::vector<deep_shadow_vertex> scratch;
+  scratch.resize(2 * all.size());
+  span_vertex_storage storage{scratch};
+  deep_shadow_builder line = deep_shadow_builder::begin(0, max_error_);
+  sum_up(index(x, y), all,
+         [&](const seen_fragment& f, std::uint32_t) { line.add(storage, f.where.depth, alpha(f.id, f.where)); });
+  line.finish(storage);
+  if (line.count == 0) return;
+  const auto place = arrived_.grow_by(scratch.begin(), scratch.begin() + static_cast<std::ptrdiff_t>(line.count));
+  const auto first = static_cast<std::size_t>(place - arrived_.begin());
+  if (first + line.count > 0xffffffffU)
+    throw std::runtime_error("the deep shadow map has more vertices than can be numbered");
+  texel_[index(x, y)] = {static_cast<std::uint32_t>(first), line.count};
+}
+
+void deep_shadow::settle() {
+  vertex_.reserve(arrived_.size());
+  for (texel& t : texel_) {
+    const auto from = arrived_.begin() + static_cast<std::ptrdiff_t>(t.first);
+    t.first = static_cast<std::uint32_t>(vertex_.size());
+    vertex_.insert(vertex_.end(), from, from + static_cast<std::ptrdiff_t>(t.count));
+  }
+  arrived_.clear();
+}
+
+float deep_shadow::optical_before(std::size_t t, float depth) const {
+  const float passed = deep_shadow_at(stored_vertices{vertex_.data()}, texel_[t].first, texel_[t].count, depth);
+  return static_cast<float>(optical_depth(1.0F - passed));
+}
+
+std::uint64_t deep_shadow::texel_bytes() const {
+  return vertex_.size() * sizeof(deep_shadow_vertex) + texel_.size() * sizeof(texel);
+}
+
+}  // namespace pelage::frame

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// Every map that many invocations build at once, one after another in one buffer of cells. LOAD: reads them instead.
+#include "pelage/glsl/core/fragment.glsl"
+#include "pelage/glsl/composite/tail.glsl"
+
+layout(local_size_x_id = 0) in;
+layout(std430, binding = 0) readonly buffer offers {
+  uint unused;
+  uint texels;
+  pelage_fragment offered[];
+};
+layout(std430, binding = 1) coherent buffer cell_block {
+  uint found[];
+};
+layout(std430, binding = 2) coherent buffer word_block {
+  uint held[];
+};
+#ifdef LOAD
+layout(std430, binding = 3) buffer loaded_block {
+  uint loaded[];
+};
+#endif
+
+uint base = 0u;
+#define PELAGE_ATOMIC_CELL_STORAGE_CELLS(i) found[base + i]
+#define PELAGE_ATOMIC_TAIL_STORAGE_WORDS(i) held[i]
+#include "pelage/glsl/composite/atomic_tail.glsl"
+#include "pelage/glsl/composite/stochastic.glsl"
+#include "pelage/glsl/composite/weighted_sum.glsl"
+#include "pelage/glsl/visibility/density_clusters.glsl"
+#include "pelage/glsl/visibility/depth_range.glsl"
+#include "pelage/glsl/visibility/occupancy_map.glsl"
+#include "pelage/glsl/visibility/opacity_map.glsl"
+
+#ifdef LOAD
+uint next;
+void give(uint value) { loaded[next++] = value; }
+void give(pelage_tail tail) {
+  give(tail.optical);
+  give(tail.weight);
+  give(tail.red);
+  give(tail.green);
+  give(tail.blue);
+}
+
+void use(uint texel) {
+  if (texel >= texels) return;
+  next = texel * (2u + pelage_occupancy_map_cells + 16u + pelage_density_clusters_cells + 16u + 5u + 5u);
+  const pelage_depth_range range = pelage_load_depth_range(texel);
+  give(range.nearest);
+  give(range.farthest);
+  base += 2u * texels;
+  const pelage_occupancy_map occupancy = pelage_load_occupancy_map(texel);
+  for (uint i = 0u; i < 4u; ++i) give(occupancy.occupied[i]);
+  for (uint i = 0u; i < 4u; ++i) give(occupancy.amount[i]);
+  base += pelage_occupancy_map_cells * texels;
+  const pelage_opacity_map opacity = pelage_load_opacity_map(texel);
+  for (uint i = 0u; i < 16u; ++i) give(opacity.amount[i]);
+  base += 16u * texels;
+  const pelage_density_clusters clusters = pelage_load_density_clusters(texel);
+  for (uint i = 0u; i < 4u; ++i) give(clusters.count[i]);
+  for (uint i = 0u; i < 4u; ++i) give(clusters.sum[i]);
+  for (uint i = 0u; i < 4u; ++i) give(clusters.squares[i]);
+  base += pelage_density_clusters_cells * texels;
+  const pelage_stochastic_depths depths = pelage_load_stochastic_depths(texel);
+  for (uint i = 0u; i < 16u; ++i) give(depths.nearest[i]);
+  base += 16u * texels;
+  give(pelage_load_tail(texel));
+  give(pelage_atomic_tail_load(texel));
+}
+#else
+void use(uint i) {
+  const uint texel = i % texels;
+  const pelage_fragment f = offered[i];
+  const float share = float(f.id >> 8u) * (1.0 / 16777216.0);
+  const pelage_tail one = pelage_tail(f.id, f.id >> 4u, f.id >> 8u, f.id >> 12u, f.id & 1u);
+  pelage_extend_depth_range(texel, f.depth);
+  base += 2u * texels;
+  pelage_add_to_occupancy_map(texel, share * 128.0, f.id);
+  base += pelage_occupancy_map_cells * texels;
+  pelage_add_to_opacity_map(texel, share * 16.0, f.id);
+  base += 16u * texels;
+  pelage_add_to_density_clusters(texel, share * 4.0);
+  base += pelage_density_clusters_cells * texels;
+  pelage_add_to_stochastic_depths(texel, f, share, 7u);
+  base += 16u * texels;
+  pelage_add_to_tail(texel, one);
+  pelage_atomic_tail_add(texel, one);
+}
+#endif
+
+void main() {
+  if (gl_GlobalInvocationID.x < uint(offered.length())) use(gl_GlobalInvocationID.x);
+}

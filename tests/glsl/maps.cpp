@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/composite/atomic_tail.hpp>
+#include <pelage/composite/stochastic.hpp>
+#include <pelage/composite/weighted_sum.hpp>
+#include <pelage/core/mixed_bits.hpp>
+#include <pelage/visibility/density_clusters.hpp>
+#include <pelage/visibility/depth_range.hpp>
+#include <pelage/visibility/occupancy_map.hpp>
+#include <pelage/visibility/opacity_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "glsl/kernels.hpp"
+#include "glsl/offers.hpp"
+#include "property.hpp"
+
+namespace pelage::test {
+
+namespace {
+
+using occupancy = occupancy_map<128, 4>;
+constexpr std::uint32_t range_cells = 2;
+constexpr std::uint32_t layers = 16;
+constexpr std::uint32_t clusters = 4;
+constexpr std::uint32_t samples = 16;
+constexpr std::uint32_t sums = 5;
+constexpr std::uint32_t cells_of_texel =
+    range_cells + occupancy::cells + layers + density_clusters<clusters>::cells + samples + sums;
+
+/// All maps of all texels, one kind behind the other as the kernel has them.
+struct map_cells {
+  std::uint32_t texels;
+  std::vector<std::uint32_t> cells;
+  std::vector<std::uint32_t> words;
+  std::uint32_t begin = 0;
+
+  /// The cells of the next kind of map.
+  atomic_cell_storage next(std::uint32_t cells_a_texel) {
+    const atomic_cell_storage part{std::span(cells).subspan(begin, cells_a_texel * texels)};
+    begin += cells_a_texel * texels;
+    return part;
+  }
+
+  explicit map_cells(std::uint32_t n) : texels(n), cells(n * cells_of_texel), words(n * tail_words()) {
+    for (std::uint32_t t = 0; t < n; ++t) {
+      cells[2 * t] = depth_range::empty().nearest;
+      cells[2 * t + 1] = depth_range::empty().farthest;
+    }
+    const std::uint32_t before = cells_of_texel - samples - sums;
+    std::fill_n(cells.begin() + before * n, samples * n, 0xffffffffU);
+  }
+
+  void add(std::uint32_t texel, fragment f) {
+    const float share = static_cast<float>(f.id >> 8U) * (1.0F / 16777216.0F);
+    const tail one{f.id, f.id >> 4U, f.id >> 8U, f.id >> 12U, f.id & 1U};
+    begin = 0;
+    atomic_cell_storage ranges = next(range_cells);
+    extend_depth_range(ranges, texel, f.depth);
+    atomic_cell_storage occupancies = next(occupancy::cells);
+    add_to_occupancy_map<occupancy>(occupancies, texel, share * 128.0F, f.id);
+    atomic_cell_storage opacities = next(layers);
+    add_to_opacity_map<layers>(opacities, texel, share * 16.0F, f.id);
+    atomic_cell_storage densities = next(density_clusters<clusters>::cells);
+    add_to_density_clusters<clusters>(densities, texel, share * 4.0F);
+    atomic_cell_storage stochastic = next(samples);
+    add_to_stochastic_depths<samples>(stochastic, texel, f, share, 7U);
+    atomic_cell_storage tails = next(sums);
+    add_to_tail(tails, texel, one);
+    atomic_tail_storage exact{words};
+    atomic_tail::add(exact, texel, one);
+  }
+
+  /// What loading a texel gives, map after map.
+  [[nodiscard]] std::vector<std::uint32_t> loaded(std::uint32_t texel) {
+    std::vector<std::uint32_t> all;
+    const auto give = [&](const auto& values) { all.insert(all.end(), values.begin(), values.end()); };
+    const auto give_tail = [&](const tail& t) { give(std::array{t.optical, t.weight, t.red, t.green, t.blue}); };
+    begin = 0;
+    const depth_range range = load_depth_range(next(range_cells), texel);
+    give(std::array{range.nearest, range.farthest});
+    const auto occupied = load_occupancy_map<occupancy>(next(occupancy::cells), texel);
+    give(occupied.occupied);
+    give(occupied.amount);
+    give(load_opacity_map<layers>(next(layers), texel).amount);
+    const auto density = load_density_clusters<clusters>(next(density_clusters<clusters>::cells), texel);
+    give(density.count);
+    give(density.sum);
+    give(density.squares);
+    give(load_stochastic_depths<samples>(next(samples), texel).nearest);
+    give_tail(load_tail(next(sums), texel));
+    give_tail(atomic_tail::load(atomic_tail_storage{words}, texel));
+    return all;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Maps that 65536 invocations build at once equal those built one by one, and load as they are") {
+  for (const std::uint32_t texels : {4096U, 64U, 1U}) {
+    CAPTURE(texels);
+    std::vector<fragment> fragments = many(texels, 65536U, 5000U);
+    for (fragment& f : fragments)
+      f.id = mixed_bits(f.id + texels);
+    map_cells expected(texels);
+    map_cells built = expected;
+    for (std::uint32_t i = 0; i < fragments.size(); ++i)
+      expected.add(i % texels, fragments[i]);
+
+    std::vector<std::uint32_t> offers = offers_of(0U, texels, fragments);
+    std::vector<std::uint32_t>* const buffers[] = {&offers, &built.cells, &built.words};
+    the_device()->run(kernels::maps, static_cast<std::uint32_t>(fragments.size()), buffers);
+    CHECK(built.cells == expected.cells);
+    CHECK(built.words == expected.words);
+
+    std::vector<std::uint32_t> expected_loaded;
+    for (std::uint32_t t = 0; t < texels; ++t) {
+      const std::vector<std::uint32_t> one = expected.loaded(t);
+      expected_loaded.insert(expected_loaded.end(), one.begin(), one.end());
+    }
+    std::vector<std::uint32_t> loaded(expected_loaded.size());
+    std::vector<std::uint32_t>* const with_result[] = {&offers, &built.cells, &built.words, &loaded};
+    the_device()->run(kernels::loaded_maps, static_cast<std::uint32_t>(fragments.size()), with_result);
+    CHECK(loaded == expected_loaded);
+  }
+}
+
+}  // namespace pelage::test
