@@ -74,12 +74,11 @@ void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
   app.add_option("--bsdf", o.model, "how a fibre scatters light")
       ->check(CLI::IsMember(names(model_names)))
       ->capture_default_str();
-  CLI::Option* colour = app.add_option("--hair-colour", o.colour,
-                                       "pigment by name; without it and --melanin kajiya_kay draws the model's own "
-                                       "colours, the others brown hair")
-                            ->check(CLI::IsMember(names(colour_names)));
+  CLI::Option* colour =
+      app.add_option("--hair-colour", o.colour, "pigment by name; without it and --melanin the model's own colour")
+          ->check(CLI::IsMember(names(colour_names)));
   app.add_option("--melanin", o.melanin,
-                 "EUMELANIN[,PHEOMELANIN], [0, 100]: blond 0.3,0.05, red 0.35,1.6, brown 1.3,0.1, black 8")
+                 "EUMELANIN[,PHEOMELANIN], [0, 100]: blond 0.3,0.05, red 0.1,0.7, brown 1.3,0.1, black 8")
       ->delimiter(',')
       ->expected(1, 2)
       ->check(CLI::Range(0.0, 100.0))
@@ -90,7 +89,7 @@ void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
           ->delimiter(',')
           ->expected(1, 2)
           ->check(CLI::Range(0.05, 1.0))
-          ->default_str("0.3"),
+          ->default_str("0.2,0.3"),
       app.add_option("--tilt", look.tilt, "of the cuticle's scales toward the tip, degrees, [-20, 20]")
           ->check(CLI::Range(-20.0, 20.0))};
   for (CLI::Option* option : o.of_fibres)
@@ -125,6 +124,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   std::string order = name_of(s.order);
   std::string shown = name_of(s.shown);
   std::string antialias = "on";
+  std::string device = "cpu";
   std::vector<std::string> lights;
   std::vector<float> from;
 
@@ -170,6 +170,11 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
       ->delimiter(',')
       ->expected(2);
   app.add_option("--threads", c.threads, "0: one a core")->check(CLI::Range(0, 1024));
+  app.add_option("--device", device, "what draws: cpu or vulkan")
+      ->check(CLI::IsMember({"cpu", "vulkan"}))
+      ->capture_default_str();
+  app.add_option("--frames", c.frames, "drawn by --device vulkan; the report has their median times")
+      ->check(CLI::Range(1, 100000));
   app.add_option("--shuffle", s.shuffle, "draw segments in an order of this seed; the picture is the same")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
@@ -184,6 +189,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   s.antialias = antialias == "on";
   read_look(look, s.look);
   s.on_bust = c.hair.empty();
+  c.on_device = device == "vulkan";
   for (const std::string& text : lights)
     s.lights.push_back(parse_light(text));
   if (!from.empty()) s.from = glm::vec2(from[0], from[1]);

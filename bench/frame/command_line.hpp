@@ -19,6 +19,8 @@ struct command_line {
   std::uint32_t segments = 48;      ///< of each of its strands
   std::uint64_t seed = 1;           ///< of the built-in model and of follow strands
   int threads = 0;                  ///< 0: one a core
+  bool on_device = false;           ///< drawn by Vulkan
+  std::uint32_t frames = 1;         ///< that a device draws, to be timed
   std::string shadow = "k_buffer";  ///< as parse_shadow() reads it
   std::string out = "out/frame.png";
   std::string report;   ///< a JSON file; empty: none
