@@ -32,7 +32,7 @@ azimuthal_table::azimuthal_table()
       returned_(rows * columns),
       residual_(rows),
       passage_(rows),
-      albedo_(rows),
+      backward_(rows),
       table_{rows, columns, reflected_, transmitted_, returned_} {
 }
 
@@ -65,18 +65,18 @@ azimuthal_table::azimuthal_table(const chiang_fibre<float>& fibre) : azimuthal_t
   integrate();
 }
 
-/// By the trapezium rule, which a table that is looked up linearly is integrated by exactly.
+/// By the trapezium rule.
 void azimuthal_table::integrate() {
   const float step = pi / static_cast<float>(columns - 1);
   for (std::uint32_t row = 0; row < rows; ++row) {
-    glm::vec3 others = 2.0F * pi * residual_[row];
+    backward_[row] = pi * residual_[row];
     for (std::uint32_t column = 0; column < columns; ++column) {
       const float both_sides = column == 0 || column == columns - 1 ? step : 2.0F * step;
+      const float back = 1.0F - static_cast<float>(column) / static_cast<float>(columns - 1);
       const std::size_t at = row * columns + column;
       passage_[row] += both_sides * transmitted_[at];
-      others += both_sides * (reflected_[at] + returned_[at]);
+      backward_[row] += both_sides * back * (reflected_[at] + transmitted_[at] + returned_[at]);
     }
-    albedo_[row] = passage_[row] + others;
   }
 }
 

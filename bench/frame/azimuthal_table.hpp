@@ -33,8 +33,8 @@ class azimuthal_table {
   /// ∫ N_TT dφ: the share of the light met that passes straight on. [passage.hpp]
   [[nodiscard]] glm::vec3 passage(float sin_theta) const { return look_up(passage_, sin_theta); }
 
-  /// ∫ Σ N dφ: the share of the light met that leaves again.
-  [[nodiscard]] glm::vec3 albedo(float sin_theta) const { return look_up(albedo_, sin_theta); }
+  /// ∫ Σ N (1 - |φ|/π) dφ: the share that turns back, as dual scattering takes it apart.
+  [[nodiscard]] glm::vec3 backward(float sin_theta) const { return look_up(backward_, sin_theta); }
 
  private:
   azimuthal_table();
@@ -42,7 +42,7 @@ class azimuthal_table {
   [[nodiscard]] static glm::vec3 look_up(const std::vector<glm::vec3>& rows, float sin_theta);
 
   std::vector<glm::vec3> reflected_, transmitted_, returned_;  ///< rows of inclination, columns of azimuth
-  std::vector<glm::vec3> residual_, passage_, albedo_;         ///< per row
+  std::vector<glm::vec3> residual_, passage_, backward_;       ///< per row
   marschner_table<float> table_;                               ///< the first three
 };
 

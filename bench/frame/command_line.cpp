@@ -75,12 +75,11 @@ void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
   app.add_option("--bsdf", o.model, "how a fibre scatters light")
       ->check(CLI::IsMember(names(model_names)))
       ->capture_default_str();
-  CLI::Option* colour = app.add_option("--hair-colour", o.colour,
-                                       "pigment by name; without it and --melanin kajiya_kay draws the model's own "
-                                       "colours, the others brown hair")
-                            ->check(CLI::IsMember(names(colour_names)));
+  CLI::Option* colour =
+      app.add_option("--hair-colour", o.colour, "pigment by name; without it and --melanin the model's own colour")
+          ->check(CLI::IsMember(names(colour_names)));
   app.add_option("--melanin", o.melanin,
-                 "EUMELANIN[,PHEOMELANIN], [0, 100]: blond 0.3,0.05, red 0.35,1.6, brown 1.3,0.1, black 8")
+                 "EUMELANIN[,PHEOMELANIN], [0, 100]: blond 0.3,0.05, red 0.1,0.7, brown 1.3,0.1, black 8")
       ->delimiter(',')
       ->expected(1, 2)
       ->check(CLI::Range(0.0, 100.0))
@@ -91,7 +90,7 @@ void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
           ->delimiter(',')
           ->expected(1, 2)
           ->check(CLI::Range(0.05, 1.0))
-          ->default_str("0.3"),
+          ->default_str("0.2,0.3"),
       app.add_option("--tilt", look.tilt, "of the cuticle's scales toward the tip, degrees, [-20, 20]")
           ->check(CLI::Range(-20.0, 20.0))};
   for (CLI::Option* option : o.of_fibres)
@@ -126,6 +125,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   std::string order = name_of(s.order);
   std::string shown = name_of(s.shown);
   std::string antialias = "on";
+  std::string device = "cpu";
   std::vector<std::string> lights;
   std::vector<float> from;
 
@@ -140,7 +140,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--segments", c.segments, "of each strand of the built-in model")
       ->excludes(hair)
       ->capture_default_str();
-  app.add_option("--seed", c.seed, "of the built-in model and of follow strands")
+  app.add_option("--seed", c.seed, "of the built-in model, of follow strands and of stochastic blending")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--size", size, "WIDTHxHEIGHT or SIDE, pixels")->capture_default_str();
@@ -154,6 +154,10 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--shadow", c.shadow,
                  "what a light's map keeps: k_buffer, occupancy, opacity:N or deep_opacity:N with N layers, 4 to 256, "
                  "deep:ERR with the greatest error, or exact; --k and --order are k_buffer's")
+      ->capture_default_str();
+  app.add_option("--blend", c.blend,
+                 "how fragments become a pixel: k_buffer, exact, order_weighted, weighted_average, weighted_blended, "
+                 "depth_peeling or stochastic:N with N samples, 1 to 64; --k and --order are k_buffer's")
       ->capture_default_str();
   app.add_option("--components", shown, "what is drawn")
       ->check(CLI::IsMember(names(component_names)))
@@ -175,6 +179,11 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
       ->delimiter(',')
       ->expected(2);
   app.add_option("--threads", c.threads, "0: one a core")->check(CLI::Range(0, 1024));
+  app.add_option("--device", device, "what draws: cpu or vulkan")
+      ->check(CLI::IsMember({"cpu", "vulkan"}))
+      ->capture_default_str();
+  app.add_option("--frames", c.frames, "drawn by --device vulkan; the report has their median times")
+      ->check(CLI::Range(1, 100000));
   app.add_option("--shuffle", s.shuffle, "draw segments in an order of this seed; the picture is the same")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
@@ -185,10 +194,13 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   read_size(size, s);
   s.order = order_names.at(order);
   s.shadow = parse_shadow(c.shadow);
+  s.blend = parse_blend(c.blend);
+  s.blend.seed = static_cast<std::uint32_t>(c.seed ^ (c.seed >> 32U));
   s.shown = component_names.at(shown);
   s.antialias = antialias == "on";
   read_look(look, s.look);
   s.on_bust = c.hair.empty();
+  c.on_device = device == "vulkan";
   for (const std::string& text : lights)
     s.lights.push_back(parse_light(text));
   if (!from.empty()) s.from = glm::vec2(from[0], from[1]);

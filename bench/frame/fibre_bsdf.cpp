@@ -39,27 +39,29 @@ void check(const fibre_look& look) {
   }
 }
 
-std::array<float, 3> sigma_of(const fibre_look& look) {
-  return absorption_of(look.pigment.value_or(melanin_of<float>(hair_colour::brown)));
+std::array<float, 3> absorption(const fibre_look& look, const glm::vec3& own_colour) {
+  if (look.pigment) return absorption_of(*look.pigment);
+  return {absorption_from_albedo(own_colour.x, look.beta_n), absorption_from_albedo(own_colour.y, look.beta_n),
+          absorption_from_albedo(own_colour.z, look.beta_n)};
 }
 
 glm::vec3 mass_albedo(const fibre_look& look) {
-  const std::array<float, 3> sigma = sigma_of(look);
+  const std::array<float, 3> sigma = absorption_of(look.pigment.value_or(melanin<float>{0.0F, 0.0F}));
   return {albedo_from_absorption(sigma[0], look.beta_n), albedo_from_absorption(sigma[1], look.beta_n),
           albedo_from_absorption(sigma[2], look.beta_n)};
 }
 
 // Scales that rise toward the tip turn normals toward the root, and +x is the tip.
-marschner_parameters<float> marschner_of(const fibre_look& look) {
-  marschner_parameters<float> p = common_marschner_parameters(sigma_of(look));
+marschner_parameters<float> marschner_of(const fibre_look& look, const std::array<float, 3>& sigma_a) {
+  marschner_parameters<float> p = common_marschner_parameters(sigma_a);
   p.eta = look.eta;
   p.alpha = -glm::radians(look.tilt);
   p.beta = 0.5F * std::sqrt(longitudinal_variance(look.beta_m));  // θ_h is half of θ_i + θ_r
   return p;
 }
 
-chiang_fibre<float> chiang_of(const fibre_look& look) {
-  return make_chiang_fibre<float>({look.eta, sigma_of(look), look.beta_m, look.beta_n, -glm::radians(look.tilt)});
+chiang_fibre<float> chiang_of(const fibre_look& look, const std::array<float, 3>& sigma_a) {
+  return make_chiang_fibre<float>({look.eta, sigma_a, look.beta_m, look.beta_n, -glm::radians(look.tilt)});
 }
 
 /// x in [-1, 1], and within where it is NaN.
@@ -85,14 +87,15 @@ glm::vec3 arriving(const passage& passed, const glm::vec3& kept) {
 
 }  // namespace
 
-fibre_bsdf::fibre_bsdf(const fibre_look& look)
-    : look_(look),
-      mass_albedo_(mass_albedo(look)),
-      marschner_(marschner_of(look)),
-      chiang_(make_chiang_quad_fibre(chiang_of(look))) {
+fibre_bsdf::fibre_bsdf(const fibre_look& look, const glm::vec3& own_colour) : look_(look) {
   check(look);
+  mass_albedo_ = mass_albedo(look);
+  const std::array<float, 3> sigma_a = absorption(look, own_colour);
+  marschner_ = marschner_of(look, sigma_a);
+  const chiang_fibre<float> fibre = chiang_of(look, sigma_a);
+  chiang_ = make_chiang_quad_fibre(fibre);
   if (look.model == bsdf_model::marschner) table_.emplace(marschner_);
-  if (look.model == bsdf_model::chiang || look.model == bsdf_model::dual_scattering) table_.emplace(chiang_of(look));
+  if (look.model == bsdf_model::chiang || look.model == bsdf_model::dual_scattering) table_.emplace(fibre);
   if (look.model == bsdf_model::dual_scattering) average();
 }
 
@@ -181,7 +184,12 @@ glm::vec3 fibre_bsdf::scatter(const fibre_place& at, const glm::vec3& to_light, 
 
 glm::vec3 fibre_bsdf::reflect_sky(const fibre_place& at) const {
   if (look_.model == bsdf_model::kajiya_kay) return look_.pigment ? mass_albedo_ : at.colour;
-  return table_->albedo(held_sine(glm::dot(at.tangent, at.to_eye)));
+  const float sin_eye = held_sine(glm::dot(at.tangent, at.to_eye));
+  if (look_.model != bsdf_model::dual_scattering) return 2.0F * table_->backward(sin_eye);
+  const dual_averages<float> averages = look_up_dual_scattering<float>(averages_, angle_of_sine(sin_eye));
+  // The lobe from behind is (1 - |φ|/π)/π round the fibre, of which the sky's own factor leaves 2/3.
+  return 2.0F *
+         (averages.backward + (4.0F / 3.0F * density.backward) * dual_local_scattering(averages, density).albedo);
 }
 
 }  // namespace pelage::frame

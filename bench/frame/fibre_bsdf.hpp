@@ -25,12 +25,11 @@ enum class bsdf_model {
 /// How fibres answer light.
 struct fibre_look {
   bsdf_model model = bsdf_model::kajiya_kay;
-  std::optional<melanin<float>>
-      pigment;          ///< [0, 100] each; none: Kajiya-Kay takes the fibres' own colours, the others brown hair's
-  float eta = 1.55F;    ///< index of refraction, [1, 3]
-  float beta_m = 0.3F;  ///< roughness along, [0.05, 1]; Marschner's β is half the lobe's width
-  float beta_n = 0.3F;  ///< roughness round, [0.05, 1]; Marschner's fibre has none
-  float tilt = 2.0F;    ///< of the cuticle's scales toward the tip, degrees, [-20, 20]
+  std::optional<melanin<float>> pigment;  ///< [0, 100] each; none: the fibres' own colour
+  float eta = 1.55F;                      ///< index of refraction, [1, 3]
+  float beta_m = 0.2F;                    ///< roughness along, [0.05, 1]; 0.2 is Marschner's β of 5°, 0.3 of 8°
+  float beta_n = 0.3F;                    ///< roughness round, [0.05, 1]; Marschner's fibre has none
+  float tilt = 2.0F;                      ///< of the cuticle's scales toward the tip, degrees, [-20, 20]
 };
 
 /// A place on a fibre and who looks at it.
@@ -56,13 +55,16 @@ struct fibre_place {
 /// added up over the fibre that was the last, is what a fibre passes to the power of n.
 class fibre_bsdf {
  public:
+  /// `own_colour`: mean reflectance of the fibres. Without a pigment Kajiya-Kay takes each place's own instead, and the
+  /// others absorb so much that a mass of them reflects this. [hair_parameters.hpp]
   /// Throws std::invalid_argument for a look with a value out of its range.
-  explicit fibre_bsdf(const fibre_look& look);
+  fibre_bsdf(const fibre_look& look, const glm::vec3& own_colour);
 
   /// Radiance toward the eye for light of unit colour; `passed`: what it has met on its way.
   [[nodiscard]] glm::vec3 scatter(const fibre_place& at, const glm::vec3& to_light, const passage& passed) const;
 
-  /// Radiance toward the eye where radiance 1 comes from everywhere: the albedo.
+  /// Radiance toward the eye where radiance 1 comes from all sides, but from the eye's side most, 2(1 - |φ|/π): an eye
+  /// that sees a fibre looks along the way by which the sky lights it, and hair lies behind.
   [[nodiscard]] glm::vec3 reflect_sky(const fibre_place& at) const;
 
  private:
@@ -80,7 +82,7 @@ class fibre_bsdf {
   void average();
 
   fibre_look look_;
-  glm::vec3 mass_albedo_;  ///< of hair with the look's pigment
+  glm::vec3 mass_albedo_;  ///< of hair with the look's pigment, if it has one
   marschner_parameters<float> marschner_;
   chiang_quad_fibre chiang_;
   std::optional<azimuthal_table> table_;

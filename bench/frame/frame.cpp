@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
+#include <span>
 
 #include "frame/stage.hpp"
 
@@ -18,6 +20,13 @@ double seconds_since(clock::time_point start) {
   return std::chrono::duration<double>(clock::now() - start).count();
 }
 
+glm::vec3 mean(std::span<const glm::vec3> colours) {
+  glm::dvec3 sum(0.0);
+  for (const glm::vec3& c : colours)
+    sum += c;
+  return sum / std::max(static_cast<double>(colours.size()), 1.0);
+}
+
 }  // namespace
 
 frame_result draw_frame(const hair_model& model, const frame_settings& settings,
@@ -28,7 +37,7 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const order_options options{settings.order, settings.k, set.drawing_order};
 
   frame_result result;
-  scene world{fibres, set.opaque, {}, set.round, set.sky, fibre_bsdf(settings.look)};
+  scene world{fibres, set.opaque, {}, set.round, set.sky, fibre_bsdf(settings.look, mean(fibres.colour))};
   const double passes = static_cast<double>(set.lights.size() + 1);
 
   // A map keeps pointers to its raster and view for its depths; they live as long as the scene.
@@ -56,7 +65,7 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const shaded_fibres shades(world, fragments, settings.shading_spacing);
   camera_film film(fragments, world, shades, settings.shown, settings.antialias);
   const double shaded = seconds_since(pass_start) - prepared;
-  const order_report report = run_order_pass(fragments, film.limit(), options, film);
+  const order_report report = draw_on(film, settings.blend, fragments, options);
   result.picture = film.picture();
   result.passes.push_back({"camera", prepared, report, result.picture.pixels.size() * sizeof(glm::vec3), shaded});
   result.seconds = seconds_since(start);

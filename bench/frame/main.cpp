@@ -23,6 +23,7 @@
 #include "frame/input_file.hpp"
 #include "frame/output_file.hpp"
 #include "frame/tfx_file.hpp"
+#include "frame/vulkan/device_frame.hpp"
 
 namespace {
 
@@ -49,7 +50,21 @@ std::uint64_t peak_memory() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024U;
 }
 
-nlohmann::json report_of(const command_line& c, const hair_model& model, const frame_result& frame) {
+/// What a report says of any frame.
+nlohmann::json report_of(const command_line& c, const hair_model& model) {
+  return {{"strands", model.strand_count()},
+          {"segments", model.segment_count()},
+          {"width", c.settings.width},
+          {"height", c.settings.height},
+          {"order", name_of(c.settings.order)},
+          {"shadow", c.shadow},
+          {"blend", c.blend},
+          {"components", name_of(c.settings.shown)},
+          {"bsdf", name_of(c.settings.look.model)},
+          {"k", c.settings.k}};
+}
+
+nlohmann::json report_of(const frame_result& frame) {
   nlohmann::json passes = nlohmann::json::array();
   for (const pass_report& p : frame.passes) {
     passes.push_back({{"name", p.name},
@@ -65,17 +80,23 @@ nlohmann::json report_of(const command_line& c, const hair_model& model, const f
                       {"structure_bytes", p.order.bytes},
                       {"result_bytes", p.bytes}});
   }
-  return {{"strands", model.strand_count()},
-          {"segments", model.segment_count()},
-          {"width", c.settings.width},
-          {"height", c.settings.height},
-          {"order", name_of(c.settings.order)},
-          {"shadow", c.shadow},
-          {"components", name_of(c.settings.shown)},
-          {"bsdf", name_of(c.settings.look.model)},
-          {"k", c.settings.k},
-          {"seconds", frame.seconds},
-          {"peak_bytes", peak_memory()},
+  return {{"seconds", frame.seconds}, {"peak_bytes", peak_memory()}, {"passes", passes}};
+}
+
+nlohmann::json report_of(const device_frame& frame) {
+  nlohmann::json passes = nlohmann::json::array();
+  for (const device_frame::pass& p : frame.passes)
+    passes.push_back({{"view", p.view}, {"name", p.name}, {"milliseconds", p.milliseconds}});
+  nlohmann::json views = nlohmann::json::array();
+  for (const device_frame::fragments& v : frame.views)
+    views.push_back({{"fragments", v.offered}, {"longest_list", v.longest}, {"refused", v.refused}});
+  return {{"device", frame.device},
+          {"milliseconds", frame.milliseconds},
+          {"frames", frame.frames},
+          {"same_hash", frame.same},
+          {"hash", fmt::format("{:016x}", frame.hash)},
+          {"device_bytes", frame.bytes},
+          {"views", views},
           {"passes", passes}};
 }
 
@@ -121,19 +142,29 @@ void run(const command_line& c) {
 
   tbb::task_arena arena(static_cast<int>(threads));  // may be more than there are cores
   const hair_model model = arena.execute([&] { return load(c); });
-  const frame_result frame = arena.execute([&] { return draw_frame(model, c.settings, show_progress); });
-  nlohmann::json report = report_of(c, model, frame);
-  report["threads"] = threads;
-
+  nlohmann::json report = report_of(c, model);
+  image picture;
   std::string said =
-      fmt::format("{}: {} strands, {} segments, {:.2f} s, {:.0f} MB at most\n", printable(out), model.strand_count(),
-                  model.segment_count(), frame.seconds, static_cast<double>(peak_memory()) / 1e6);
-  results.write(out, encode_png(frame.picture));
+      fmt::format("{}: {} strands, {} segments, ", printable(out), model.strand_count(), model.segment_count());
+  if (c.on_device) {
+    device_frame frame = draw_frame_on_device(model, c.settings, c.frames);
+    report.update(report_of(frame));
+    said += fmt::format("{:.3f} ms on {}, {} of {} frames are {:016x}\n", frame.milliseconds, frame.device, frame.same,
+                        frame.frames, frame.hash);
+    picture = std::move(frame.picture);
+  } else {
+    frame_result frame = arena.execute([&] { return draw_frame(model, c.settings, show_progress); });
+    report.update(report_of(frame));
+    report["threads"] = threads;
+    said += fmt::format("{:.2f} s, {:.0f} MB at most\n", frame.seconds, static_cast<double>(peak_memory()) / 1e6);
+    picture = std::move(frame.picture);
+  }
+  results.write(out, encode_png(picture));
   if (other) {
-    const image_difference difference = compare(frame.picture, *other);
+    const image_difference difference = compare(picture, *other);
     report["rms"] = difference.rms;
     report["maximum"] = difference.maximum;
-    results.write(error_picture, encode_png(error_map(frame.picture, *other)));
+    results.write(error_picture, encode_png(error_map(picture, *other)));
     said += fmt::format("{}: RMS {:.5f}, maximum {:.5f} of {}\n", printable(error_picture), difference.rms,
                         difference.maximum, printable(c.compare));
   }

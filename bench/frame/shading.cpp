@@ -82,7 +82,15 @@ void camera_film::finish(int x, int y, std::span<const seen_fragment> nearest, c
                       visible_coverage(index(x, y), f.where));
   }
   pixel = add_fibre(pixel, mean_colour(behind), glm::vec3(transmittance_of(behind)), 1.0F);
-  picture_.at(x, y) = resolve(pixel, picture_.at(x, y));
+  picture_.at(x, y) = resolve(pixel, behind_fibres(x, y));
+}
+
+void camera_film::look_at(int x, int y, std::span<const seen_fragment> all, std::vector<layer>& layers) const {
+  layers.clear();
+  for (const seen_fragment& f : all) {
+    layers.push_back(
+        {fragment_of(f), opacity(f) * visible_coverage(index(x, y), f.where), shades_.at(f.id, f.where.along)});
+  }
 }
 
 }  // namespace pelage::frame

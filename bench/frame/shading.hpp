@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frame/image.hpp"
+#include "frame/layer.hpp"
 #include "frame/order_pass.hpp"
 #include "frame/scene.hpp"
 #include "frame/shaded_fibres.hpp"
@@ -41,6 +42,12 @@ class camera_film final : public pixel_visitor {
   void expect(std::span<const std::uint32_t> fragments_per_pixel) override { (void)fragments_per_pixel; }
   void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) override;
   void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override;
+
+  /// For methods that blend in another way than finish(): a pixel's fragments as layers, what is seen behind them, and
+  /// what both come to. May be called for different pixels at once.
+  void look_at(int x, int y, std::span<const seen_fragment> all, std::vector<layer>& layers) const;
+  [[nodiscard]] const glm::vec3& behind_fibres(int x, int y) const { return picture_.at(x, y); }  ///< before set()
+  void set(int x, int y, const glm::vec3& colour) { picture_.at(x, y) = colour; }
 
   [[nodiscard]] const image& picture() const { return picture_; }
 

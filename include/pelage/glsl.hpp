@@ -492,7 +492,7 @@ pelage_melanin pelage_melanin_of(int colour) {
     return pelage_melanin(0.3, 0.05);
   }
   if (colour == pelage_hair_colour_red) {
-    return pelage_melanin(0.35, 1.6);
+    return pelage_melanin(0.1, 0.7);
   }
   if (colour == pelage_hair_colour_brown) {
     return pelage_melanin(1.3, 0.1);

@@ -67,7 +67,7 @@ melanin<Real> melanin_of(hair_colour colour) noexcept {
     return melanin<Real>{Real(0.3), Real(0.05)};
   }
   if (colour == hair_colour::red) {
-    return melanin<Real>{Real(0.35), Real(1.6)};
+    return melanin<Real>{Real(0.1), Real(0.7)};
   }
   if (colour == hair_colour::brown) {
     return melanin<Real>{Real(1.3), Real(0.1)};

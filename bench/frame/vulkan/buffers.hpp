@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+#include "frame/stage.hpp"
+#include "frame/vulkan/device.hpp"
+
+namespace pelage::frame::vulkan {
+
+/// The buffers of shaders/scene.glsl: there is what they hold.
+enum binding : std::uint32_t {
+  scene_buffer,
+  point_buffer,
+  tangent_buffer,
+  colour_buffer,
+  opacity_buffer,
+  segment_buffer,
+  drawing_buffer,
+  limit_buffer,
+  sample_buffer,
+  count_buffer,
+  run_buffer,
+  pool_buffer,
+  texel_buffer,
+  entry_buffer,
+  shaded_buffer,
+  seen_buffer,
+  picture_buffer,
+  report_buffer,
+  link_buffer,
+  slot_buffer
+};
+
+/// The words of shaders/scene.glsl's report of a view.
+struct view_report {
+  std::uint32_t fragments, longest, refused, taken;
+};
+
+/// Uploads what does not change from frame to frame: the strands and the order of drawing them. Without a given order
+/// strands are drawn by where they grow: those that are near in space lie near in the picture, and caches hold it.
+/// Throws std::runtime_error for more points than a segment's word can number.
+void upload_fibres(device& to, const strands& fibres, std::span<const std::uint32_t> drawing_order);
+
+}  // namespace pelage::frame::vulkan

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "frame/frame.hpp"
+
+namespace pelage::frame {
+
+/// A frame that a Vulkan device drew, some number of times.
+struct device_frame {
+  struct pass {
+    std::string view;     ///< "light 1", …, "camera"
+    std::string name;     ///< the kernel's, or what was cleared
+    double milliseconds;  ///< median over the frames, by the device's clock
+  };
+  struct fragments {
+    std::uint64_t offered;
+    std::uint32_t longest;  ///< fragments of the pixel that has most
+    std::uint32_t refused;  ///< that found no place: 0, or the frame is wrong
+  };
+  image picture;  ///< of the last frame
+  std::string device;
+  std::vector<pass> passes;
+  std::vector<fragments> views;  ///< in the order of passes
+  double milliseconds;           ///< median of the whole frames
+  std::uint64_t bytes;           ///< of the device's memory
+  std::uint64_t hash;            ///< of the first picture's bits
+  std::uint32_t frames;          ///< timed, after a tenth as many to warm up
+  std::uint32_t same;            ///< of those, how many have that hash
+};
+
+/// There is no device to draw on: no loader, no driver, or a program that was built without either.
+struct no_device : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Draws a frame on a Vulkan device, all of it from strands to picture: the picture of draw_frame() but for rounding
+/// and for light, which is computed at the strands' points and interpolated between.
+///
+/// `frames`: [1, inf). Throws no_device; std::runtime_error, one line, for too little memory, a model too large for the
+/// device, and what its shaders do not have; and as draw_frame().
+[[nodiscard]] device_frame draw_frame_on_device(const hair_model& model, const frame_settings& settings,
+                                                std::uint32_t frames);
+
+}  // namespace pelage::frame

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/vulkan/scene_block.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace pelage::frame::vulkan {
+namespace {
+
+glm::vec3 row(const glm::mat3& m, int i) {
+  return {m[0][i], m[1][i], m[2][i]};
+}
+
+scene_block::view_block block_of(const view& v, std::uint32_t first_pixel) {
+  return {row(v.rotation, 0),
+          v.scale,
+          row(v.rotation, 1),
+          v.near_plane,
+          row(v.rotation, 2),
+          v.perspective ? 1U : 0U,
+          v.eye,
+          first_pixel,
+          {v.width, v.height},
+          v.cone.base,
+          v.cone.slope};
+}
+
+scene_block::light_block block_of(const light& l) {
+  return {l.position, static_cast<std::uint32_t>(l.kind), l.direction, l.cos_outer, l.colour, l.cos_inner};
+}
+
+}  // namespace
+
+scene_block make_scene_block(const stage& set, const frame_settings& settings) {
+  if (set.lights.size() > scene_block::most_lights) {
+    throw std::runtime_error(fmt::format("--device vulkan: at most {} lights", scene_block::most_lights));
+  }
+  if (set.opaque.parts.size() > scene_block::most_parts) {
+    throw std::runtime_error(fmt::format("--device vulkan: at most {} opaque objects", scene_block::most_parts));
+  }
+  scene_block b{};
+  std::uint32_t pixels = 0;
+  for (std::size_t i = 0; i < set.lights.size(); ++i) {
+    b.lights[i] = block_of(set.lights[i]);
+    b.views[i] = block_of(set.light_views[i], pixels);
+    pixels += static_cast<std::uint32_t>(set.light_views[i].width * set.light_views[i].height);
+  }
+  b.views[set.lights.size()] = block_of(set.eye, pixels);
+  for (std::size_t i = 0; i < set.opaque.parts.size(); ++i)
+    b.parts[i] = {set.opaque.parts[i].centre, 0.0F, set.opaque.parts[i].radii, 0.0F};
+  b.sky = set.sky;
+  b.light_count = static_cast<std::uint32_t>(set.lights.size());
+  b.centre = set.round.centre;
+  b.radius = set.round.radius;
+  b.skin = set.opaque.skin;
+  b.part_count = static_cast<std::uint32_t>(set.opaque.parts.size());
+  b.ground = set.opaque.ground;
+  b.floor_height = set.opaque.floor.value_or(0.0F);
+  b.floor_clear = set.opaque.clear;
+  b.has_floor = set.opaque.floor ? 1 : 0;
+  b.shadows = has_shadows(settings.shown) ? 1 : 0;
+  b.translucent = has_translucency(settings.shown) ? 1 : 0;
+  b.antialias = settings.antialias ? 1 : 0;
+  b.shuffled = 1;
+  b.point_count = static_cast<std::uint32_t>(set.fibres.point.size());
+  b.segment_count = set.fibres.segment_count();
+  return b;
+}
+
+}  // namespace pelage::frame::vulkan

@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glm/glm.hpp>
+#include <array>
+#include <cstdint>
+
+#include "frame/frame.hpp"
+#include "frame/stage.hpp"
+
+namespace pelage::frame::vulkan {
+
+/// The constants of shaders/scene.glsl, laid out as std140 lays them out: there is their meaning.
+struct scene_block {
+  static constexpr std::size_t most_lights = 8;
+  static constexpr std::size_t most_parts = 8;
+
+  struct view_block {
+    glm::vec3 right;
+    float scale;
+    glm::vec3 up;
+    float near_plane;
+    glm::vec3 back;
+    std::uint32_t perspective;
+    glm::vec3 eye;
+    std::uint32_t first_pixel;
+    glm::ivec2 size;
+    float cone_base;
+    float cone_slope;
+  };
+  struct light_block {
+    glm::vec3 position;
+    std::uint32_t kind;
+    glm::vec3 direction;
+    float cos_outer;
+    glm::vec3 colour;
+    float cos_inner;
+  };
+  struct ellipsoid_block {
+    glm::vec3 centre;
+    float unused0;
+    glm::vec3 radii;
+    float unused1;
+  };
+
+  std::array<view_block, most_lights + 1> views;
+  std::array<light_block, most_lights> lights;
+  std::array<ellipsoid_block, most_parts> parts;
+  glm::vec3 sky;
+  std::uint32_t light_count;
+  glm::vec3 centre;
+  float radius;
+  glm::vec3 skin;
+  std::uint32_t part_count;
+  glm::vec3 ground;
+  float floor_height;
+  float floor_clear;
+  std::uint32_t has_floor;
+  std::uint32_t shadows;
+  std::uint32_t translucent;
+  std::uint32_t antialias;
+  std::uint32_t shuffled;
+  std::uint32_t point_count;
+  std::uint32_t segment_count;
+};
+static_assert(sizeof(scene_block::view_block) == 80 && sizeof(scene_block::light_block) == 48 &&
+              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1456);
+
+/// The constants of a frame; views[i].first_pixel counts the pixels of the views before.
+/// Throws std::runtime_error for more lights or opaque objects than the block holds.
+[[nodiscard]] scene_block make_scene_block(const stage& set, const frame_settings& settings);
+
+}  // namespace pelage::frame::vulkan

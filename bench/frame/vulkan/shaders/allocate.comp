@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// Gives each pixel its run of the pool, in any order: what is in a run matters, not where it lies. In: counts. Out:
+// runs, and in counts the first free place of each. Pixels that the pool has no room for get a shorter run; what they
+// lack is reported. One invocation a pixel; bounded by one atomic add a subgroup on a single word.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#include "scene.glsl"
+
+void main() {
+  const ivec2 at = pixel_of(invocation());
+  const bool inside = is_inside(at);
+  const uint pixel = index_of(at);
+  const uint wanted = inside ? counts[pixel] : 0u;
+  const uint before = subgroupExclusiveAdd(wanted);
+  const uint sum = subgroupAdd(wanted);
+  const uint longest = subgroupMax(wanted);
+  uint base = 0u;
+  if (subgroupElect()) {
+    base = atomicAdd(reports[push.view].fragments, sum);
+    atomicMax(reports[push.view].longest, longest);
+  }
+  const uint first = min(subgroupBroadcastFirst(base) + before, push.capacity);
+  const uint held = min(wanted, push.capacity - first);
+  if (held < wanted) {
+    atomicAdd(reports[push.view].refused, wanted - held);
+  }
+  if (inside) {
+    runs[pixel] = uvec2(first, first + held);
+    counts[pixel] = first;
+  }
+}

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// What the camera sees behind the fibres: the opaque objects, lit, and the sky, by samples. In: the lights' maps. Out:
+// picture. One invocation a pixel; bounded by the maps' scattered loads where an object is seen.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "lighting.glsl"
+#include "solids.glsl"
+
+vec3 sky_toward(vec3 direction) {
+  const float up = 0.5 + 0.5 * normalize(direction).y;
+  return scene.sky * mix(vec3(0.62, 0.63, 0.66), vec3(1.05, 1.08, 1.14), up);
+}
+
+vec3 solid_radiance(vec3 position, vec3 normal) {
+  vec3 sum = 0.5 * (1.0 + 0.3 * normal.y) * scene.sky;
+  for (uint l = 0u; l < scene.light_count; ++l) {
+    const arrival light = light_at(l, position);
+    const float facing = dot(normal, light.to_light);
+    if (facing > 0.0) {
+      const float texel = scene.shadows ? texel_at(l, position) : 0.0;
+      const vec3 lifted = position + 2.0 * texel * normal;
+      const float passed = scene.shadows ? transmittance_to(l, lifted, texel / max(facing, 0.2)) : 1.0;
+      sum += passed * facing * light.colour;
+    }
+  }
+  return sum;
+}
+
+vec3 seen_along(view_ray ray) {
+  const vec3 origin = VIEW.eye + direction_to_world(push.view, ray.origin);
+  const vec3 direction = direction_to_world(push.view, ray.direction);
+  const vec3 far = sky_toward(direction);
+  const solid_hit hit = hit_solids(origin, direction);
+  if (isinf(hit.distance)) {
+    return far;
+  }
+  const vec3 position = origin + hit.distance * direction;
+  if (!hit.is_floor) {
+    return scene.skin * solid_radiance(position, shading_normal(position));
+  }
+  const float way = hit.distance * length(direction);
+  const float haze = smoothstep(scene.floor_clear, 2.0 * scene.floor_clear, way);
+  return mix(scene.ground * solid_radiance(position, vec3(0.0, 1.0, 0.0)), far, haze);
+}
+
+void main() {
+  const ivec2 at = pixel_of(invocation());
+  if (!is_inside(at)) {
+    return;
+  }
+  const uint side = scene.antialias ? 3u : 1u;
+  vec3 sum = vec3(0.0);
+  for (uint i = 0u; i < side * side; ++i) {
+    sum += seen_along(ray_through(push.view, sample_position(at, i, side)));
+  }
+  sum /= float(side * side);
+  const uint p = 3u * index_of(at);
+  picture[p] = sum.r;
+  picture[p + 1u] = sum.g;
+  picture[p + 2u] = sum.b;
+}

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// Where the camera's fragments go once they are in order: over the picture's opaque background. See camera_film in
+// bench/frame/shading.hpp; radiance is interpolated between the strand's points, which shade.comp has lit.
+#ifndef PELAGE_FRAME_CAMERA_SINK_GLSL
+#define PELAGE_FRAME_CAMERA_SINK_GLSL
+#include "pelage/glsl/composite/radiance.glsl"
+#include "pelage/glsl/composite/tail.glsl"
+#include "raster.glsl"
+
+ivec2 sink_at;
+float sink_nearest_solid;
+pelage_pixel_radiance sink_pixel;
+pelage_tail sink_behind;
+
+const uint samples_side = 3u;  ///< samples of the opaque objects along a pixel's side, anti-aliased
+const uint samples = samples_side * samples_side;
+
+/// What the camera sees of a fragment.
+struct seen_fibre {
+  vec3 radiance;
+  float opacity;
+  float coverage;
+};
+
+/// The share of the pixel's opaque samples that lie behind a depth.
+float share_in_front(float depth) {
+  if (!scene.antialias || depth < sink_nearest_solid) {
+    return 1.0;
+  }
+  uint behind = 0u;
+  for (uint i = 0u; i < samples; ++i) {
+    behind += depth < sample_depths[samples * index_of(sink_at) + i] ? 1u : 0u;
+  }
+  return float(behind) / float(samples);
+}
+
+vec4 shaded_at(uint i) {
+  const uvec2 word = shaded[i];
+  return vec4(unpackHalf2x16(word.x), unpackHalf2x16(word.y));
+}
+
+seen_fibre see(pelage_fragment f) {
+  const touch where = touch_of(place(f.id), sink_at);
+  const uint i = first_point(f.id);
+  const vec4 mean = mix(shaded_at(i), shaded_at(i + 1u), where.along);
+  return seen_fibre(mean.rgb, mean.a, where.coverage * share_in_front(where.depth));
+}
+
+void sink_begin(ivec2 at, bool whole) {
+  sink_at = at;
+  sink_nearest_solid = uintBitsToFloat(0x7f800000u);
+  if (scene.antialias) {
+    for (uint i = 0u; i < samples; ++i) {
+      sink_nearest_solid = min(sink_nearest_solid, sample_depths[samples * index_of(at) + i]);
+    }
+  }
+  sink_pixel = pelage_empty_pixel();
+  sink_behind = pelage_empty_tail();
+}
+
+void sink_lose(pelage_fragment f) {
+  const seen_fibre fibre = see(f);
+  sink_behind = pelage_add_fragment(sink_behind, fibre.opacity * fibre.coverage, fibre.radiance);
+}
+
+void sink_add(seen_fibre fibre) {
+  sink_pixel = pelage_add_fibre(sink_pixel, fibre.radiance, vec3(1.0 - fibre.opacity), fibre.coverage);
+}
+
+void sink_keep(pelage_fragment f) {
+  sink_add(see(f));
+}
+
+void sink_finish(ivec2 at) {
+  const uint p = 3u * index_of(at);
+  const vec3 background = vec3(picture[p], picture[p + 1u], picture[p + 2u]);
+  const vec3 passed = vec3(pelage_transmittance_of(sink_behind));
+  sink_pixel = pelage_add_fibre(sink_pixel, pelage_mean_colour(sink_behind), passed, 1.0);
+  const vec3 colour = pelage_resolve(sink_pixel, background);
+  picture[p] = colour.r;
+  picture[p + 1u] = colour.g;
+  picture[p + 2u] = colour.b;
+}
+
+#endif

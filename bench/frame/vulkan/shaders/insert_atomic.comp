@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// The atomic K-buffer: each fragment down its pixel's cascade of 64-bit minima, what falls out to the pixel's list. In:
+// points, limits. Out: slots, pool, links, seen. One invocation a segment; bounded by up to K atomic minima a fragment.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
+#extension GL_EXT_shader_atomic_int64 : require
+#define PELAGE_FRAME_DRAWS
+#include "raster.glsl"
+#include "lists.glsl"
+#include "slots.glsl"
+
+void visit(uint segment, ivec2 at, touch where) {
+  const pelage_fragment lost = pelage_atomic_k_buffer_insert(index_of(at), fragment_of(segment, where));
+  if (pelage_is_fragment(lost)) {
+    pelage_a_buffer_push(index_of(at), lost);
+  }
+}
+
+void main() {
+  draw_own_segment();
+}

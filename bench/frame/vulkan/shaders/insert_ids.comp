@@ -1,0 +1,22 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// The two-pass K-buffer's second pass: each fragment's id to the slot of its depth, what falls out to the pixel's list.
+// In: points, limits, slots. Out: slots, pool, links, seen. One invocation a segment; bounded by K loads a fragment.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define PELAGE_FRAME_DRAWS
+#include "raster.glsl"
+#include "lists.glsl"
+#define SPLIT
+#include "slots.glsl"
+
+void visit(uint segment, ivec2 at, touch where) {
+  const pelage_fragment lost = pelage_two_pass_k_buffer_insert(index_of(at), fragment_of(segment, where));
+  if (pelage_is_fragment(lost)) {
+    pelage_a_buffer_push(index_of(at), lost);
+  }
+}
+
+void main() {
+  draw_own_segment();
+}

@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// The ordered list: each fragment at its place in its pixel's list, those behind `push.k` nearer ones to a second
+// list. In: points, limits. Out: pool, links, seen. One invocation a segment; bounded by the walk along the list, one
+// dependent load a step.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define PELAGE_FRAME_DRAWS
+#include "raster.glsl"
+#include "lists.glsl"
+
+void visit(uint segment, ivec2 at, touch where) {
+  const pelage_fragment back = pelage_ordered_list_insert(index_of(at), fragment_of(segment, where), push.k);
+  if (pelage_is_fragment(back)) {
+    pelage_a_buffer_push(view_pixels() + index_of(at), back);
+  }
+}
+
+void main() {
+  draw_own_segment();
+}

@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// Where a light's fragments go once they are in order: the texel's entries, each with the optical depth up to and
+// including it, then the sum and the farthest depth of those that were not kept. See bench/frame/shadow_map.hpp.
+#ifndef PELAGE_FRAME_LIGHT_SINK_GLSL
+#define PELAGE_FRAME_LIGHT_SINK_GLSL
+#include "pelage/glsl/composite/optical_depth.glsl"
+#include "scene.glsl"
+
+uint sink_first;
+uint sink_held;
+uint sink_optical;
+uint sink_behind;
+float sink_farthest;
+
+/// `whole`: all fragments are kept, in entries as many as the pixel's run has.
+void sink_begin(ivec2 at, bool whole) {
+  const uint texel = VIEW.first_pixel + index_of(at);
+  sink_first = whole ? push.view * push.capacity + runs[index_of(at)].x : texel * push.k;
+  sink_held = 0u;
+  sink_optical = 0u;
+  sink_behind = 0u;
+  sink_farthest = 0.0;
+}
+
+void sink_lose(pelage_fragment f) {
+  sink_behind = pelage_add_saturating(sink_behind, f.id);
+  sink_farthest = max(sink_farthest, f.depth);
+}
+
+void sink_keep(pelage_fragment f) {
+  sink_optical = pelage_add_saturating(sink_optical, f.id);
+  entries[sink_first + sink_held++] = uvec2(floatBitsToUint(f.depth), sink_optical);
+}
+
+void sink_finish(ivec2 at) {
+  texels[VIEW.first_pixel + index_of(at)] =
+      uvec4(sink_first, sink_held, sink_behind, floatBitsToUint(sink_farthest));
+}
+
+#endif

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// How far each pixel of a view sees: the depth of the opaque objects, of the camera's pixels by samples. In: the scene.
+// Out: limits, sample_depths. One invocation a pixel; bounded by the ellipsoids' arithmetic.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "solids.glsl"
+
+void main() {
+  const ivec2 at = pixel_of(invocation());
+  if (!is_inside(at)) {
+    return;
+  }
+  const uint side = is_camera() && scene.antialias ? 3u : 1u;
+  float farthest = 0.0;
+  for (uint i = 0u; i < side * side; ++i) {
+    const float depth = opaque_depth(sample_position(at, i, side));
+    farthest = max(farthest, depth);
+    if (side == 3u) {
+      sample_depths[9u * index_of(at) + i] = depth;
+    }
+  }
+  limits[VIEW.first_pixel + index_of(at)] = farthest;
+}

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// What every pass of the frame shares: the scene's constants, the buffers, and how invocations are counted. The
+// constants' C++ side is ../scene_block.hpp, the buffers' the enumeration `binding` in ../buffers.hpp.
+#ifndef PELAGE_FRAME_SCENE_GLSL
+#define PELAGE_FRAME_SCENE_GLSL
+#include "pelage/glsl/core/fragment.glsl"
+
+layout(local_size_x_id = 0) in;
+
+layout(push_constant) uniform push_block {
+  uint view;      ///< which of scene.views
+  uint capacity;  ///< fragments that the pool holds
+  uint lists;     ///< a pixel's lists, of the methods that have them
+  uint k;         ///< fragments kept a pixel, for the methods that are not compiled for one
+} push;
+
+struct view_block {
+  vec3 right;  ///< rows of the rotation into view space
+  float scale;
+  vec3 up;
+  float near_plane;
+  vec3 back;
+  bool perspective;
+  vec3 eye;
+  uint first_pixel;  ///< of this view, in the arrays that hold a value for each pixel of each view
+  ivec2 size;
+  float cone_base;
+  float cone_slope;
+};
+
+struct light_block {
+  vec3 position;
+  uint kind;  ///< 0 directional, 1 point, 2 spot
+  vec3 direction;
+  float cos_outer;
+  vec3 colour;
+  float cos_inner;
+};
+
+struct ellipsoid_block {
+  vec3 centre;
+  float unused0;
+  vec3 radii;
+  float unused1;
+};
+
+struct view_report {
+  uint fragments;  ///< counted
+  uint longest;    ///< fragments of the pixel that has most
+  uint refused;    ///< that found no place
+  uint taken;      ///< nodes or places of the pool in use
+};
+
+layout(std140, binding = 0) uniform scene_block {
+  view_block views[9];  ///< the lights' and, at light_count, the camera's
+  light_block lights[8];
+  ellipsoid_block parts[8];
+  vec3 sky;
+  uint light_count;
+  vec3 centre;  ///< of the sphere round the fibres
+  float radius;
+  vec3 skin;
+  uint part_count;
+  vec3 ground;
+  float floor_height;
+  float floor_clear;
+  bool has_floor;
+  bool shadows;
+  bool translucent;
+  bool antialias;
+  bool shuffled;
+  uint point_count;
+  uint segment_count;
+} scene;
+
+layout(std430, binding = 1) readonly buffer point_buffer { vec4 points[]; };  ///< world position, radius
+layout(std430, binding = 2) readonly buffer tangent_buffer { float tangents[]; };
+layout(std430, binding = 3) readonly buffer colour_buffer { float colours[]; };
+layout(std430, binding = 4) readonly buffer opacity_buffer { float opacities[]; };
+layout(std430, binding = 5) readonly buffer segment_buffer { uint segments[]; };  ///< first point; see raster.glsl
+layout(std430, binding = 6) readonly buffer drawing_buffer { uint drawing_order[]; };
+layout(std430, binding = 7) buffer limit_buffer { float limits[]; };  ///< a pixel of a view: hidden from this depth on
+layout(std430, binding = 8) buffer sample_buffer { float sample_depths[]; };  ///< nine a pixel of the camera
+layout(std430, binding = 9) coherent buffer count_buffer { uint counts[]; };  ///< fragments a pixel, or the next place
+layout(std430, binding = 10) buffer run_buffer { uvec2 runs[]; };  ///< a pixel's part of the pool, [x, y)
+layout(std430, binding = 11) coherent buffer pool_buffer { pelage_fragment pool[]; };
+layout(std430, binding = 12) buffer texel_buffer { uvec4 texels[]; };   ///< a pixel of a light: see light_sink.glsl
+layout(std430, binding = 13) buffer entry_buffer { uvec2 entries[]; };  ///< depth, optical depth up to and including
+layout(std430, binding = 14) buffer shaded_buffer { uvec2 shaded[]; };  ///< a point: radiance, opacity; four halves
+layout(std430, binding = 15) buffer seen_buffer { uint seen[]; };  ///< a point: the camera sees the segment from it on
+layout(std430, binding = 16) buffer picture_buffer { float picture[]; };  ///< linear RGB
+layout(std430, binding = 17) coherent buffer report_buffer { view_report reports[]; };  ///< one a view
+layout(std430, binding = 18) coherent buffer link_buffer { uint links[]; };
+
+#define VIEW scene.views[push.view]
+
+bool is_camera() {
+  return push.view == scene.light_count;
+}
+
+/// The number of this invocation in a dispatch of any shape.
+uint invocation() {
+  const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  return group * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
+}
+
+/// The pixel of an invocation, block by block of 8 × 8: neighbours have lists of like length. May lie outside.
+ivec2 pixel_of(uint i) {
+  const uint across = uint(VIEW.size.x + 7) / 8u;
+  const uint block = i / 64u;
+  return ivec2(8u * (block % across) + i % 8u, 8u * (block / across) + i / 8u % 8u);
+}
+
+bool is_inside(ivec2 at) {
+  return at.x < VIEW.size.x && at.y < VIEW.size.y;
+}
+
+uint index_of(ivec2 at) {
+  return uint(at.y) * uint(VIEW.size.x) + uint(at.x);
+}
+
+vec3 triple_of_tangents(uint i) {
+  return vec3(tangents[3u * i], tangents[3u * i + 1u], tangents[3u * i + 2u]);
+}
+
+vec3 triple_of_colours(uint i) {
+  return vec3(colours[3u * i], colours[3u * i + 1u], colours[3u * i + 2u]);
+}
+
+#endif

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// Lights the strands' points that the camera sees. In: points and what they are made of, seen, the lights' maps. Out:
+// shaded. One invocation a point; bounded by the maps' scattered loads, some 30 a light.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "pelage/glsl/bsdf/kajiya_kay.glsl"
+#include "lighting.glsl"
+
+// As bench/frame/fibre_bsdf.cpp and shading.cpp have them.
+const float diffuse_weight = 0.55;
+const float specular_weight = 0.22;
+const float exponent = 60.0;
+const float sky_share = 0.30;
+
+void main() {
+  const uint i = invocation();
+  if (i >= scene.point_count || (seen[i] == 0u && (i == 0u || seen[i - 1u] == 0u))) {
+    return;
+  }
+  const vec3 position = points[i].xyz;
+  const vec3 tangent = triple_of_tangents(i);
+  const vec3 colour = triple_of_colours(i);
+  const vec3 to_eye = normalize(scene.views[scene.light_count].eye - position);
+  vec3 sum = sky_share * scene.sky * colour;
+  for (uint l = 0u; l < scene.light_count; ++l) {
+    const arrival light = light_at(l, position);
+    const float bias = 2.0 * points[i].w + texel_at(l, position);
+    const float passed = scene.shadows ? transmittance_to(l, position, bias) : 1.0;
+    const pelage_kajiya_kay_lobes lobes = pelage_kajiya_kay(tangent, light.to_light, to_eye, exponent);
+    sum += passed * light.colour * (diffuse_weight * lobes.diffuse * colour + vec3(specular_weight * lobes.specular));
+  }
+  const vec3 held = min(sum, vec3(65504.0));  // the largest half
+  const float opacity = scene.translucent ? opacities[i] : 1.0;
+  shaded[i] = uvec2(packHalf2x16(held.xy), packHalf2x16(vec2(held.z, opacity)));
+}

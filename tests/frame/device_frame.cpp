@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/vulkan/device_frame.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "frame/built_in.hpp"
+
+namespace pelage::test {
+
+using namespace frame;
+
+constexpr order_method methods[]{order_method::k_buffer,          order_method::a_buffer,
+                                 order_method::ordered_list,      order_method::atomic_k_buffer,
+                                 order_method::two_pass_k_buffer, order_method::selection_sort};
+
+/// Hair so thick that no pixel of it keeps all its fragments at K = 4, and all do at K = 64.
+const hair_model& small_hair() {
+  static const hair_model model = make_built_in(150, 12, 1);
+  return model;
+}
+
+frame_settings small_frame(order_method order, std::uint32_t k) {
+  frame_settings s;
+  s.width = 56;
+  s.height = 44;
+  s.order = order;
+  s.k = k;
+  s.opacity = 0.4F;
+  s.fibre_radius = 0.02F;
+  s.on_bust = true;
+  return s;
+}
+
+/// None, after one line, on a machine without a device, unless one is a must.
+std::optional<device_frame> draw(const frame_settings& settings, std::uint32_t frames = 1) {
+  try {
+    return draw_frame_on_device(small_hair(), settings, frames);
+  } catch (const no_device& e) {
+    MESSAGE("not run: ", e.what());
+    CHECK(std::getenv("PELAGE_DEVICE_REQUIRED") == nullptr);
+    return std::nullopt;
+  }
+}
+
+/// Why a frame is refused, or nothing.
+std::string refusal(const frame_settings& settings) {
+  try {
+    (void)draw(settings);
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST_CASE("A device's picture is the processor's but for where between a strand's points light is computed") {
+  for (const components shown : {components::single, components::full}) {
+    for (const bool antialias : {false, true}) {
+      CAPTURE(static_cast<int>(shown));
+      CAPTURE(antialias);
+      frame_settings settings = small_frame(order_method::k_buffer, 8);
+      settings.shown = shown;
+      settings.antialias = antialias;
+      const std::optional<device_frame> got = draw(settings);
+      if (!got) return;
+      const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
+      CHECK(compare(got->picture, expected.picture).rms < 0.01);
+      CHECK(got->views.size() == expected.passes.size());
+      for (std::size_t v = 0; v < got->views.size(); ++v) {
+        const auto fragments = static_cast<double>(expected.passes[v].order.fragments);
+        CHECK(static_cast<double>(got->views[v].offered) == doctest::Approx(fragments).epsilon(0.002));
+        CHECK(got->views[v].refused == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("Every structure draws one picture, in every frame") {
+  std::optional<std::uint64_t> first;
+  for (const order_method order : methods) {
+    if (order == order_method::selection_sort) continue;  // it has no tail
+    CAPTURE(static_cast<int>(order));
+    const std::optional<device_frame> got = draw(small_frame(order, 4), 10);
+    if (!got) return;
+    CHECK(got->same == got->frames);
+    if (!first) first = got->hash;
+    CHECK(got->hash == *first);
+  }
+}
+
+TEST_CASE("Where K holds all fragments the picture is that of sorted lists") {
+  const std::optional<device_frame> sorted = draw(small_frame(order_method::selection_sort, 64));
+  if (!sorted) return;
+  CHECK(sorted->hash == draw(small_frame(order_method::k_buffer, 64))->hash);
+  CHECK(sorted->hash != draw(small_frame(order_method::k_buffer, 4))->hash);
+}
+
+TEST_CASE("The order of drawing does not change a device's picture") {
+  frame_settings settings = small_frame(order_method::k_buffer, 4);
+  const std::optional<device_frame> one = draw(settings);
+  if (!one) return;
+  settings.shuffle = 5;
+  CHECK(draw(settings)->hash == one->hash);
+}
+
+TEST_CASE("What the shaders do not have is refused in one line") {
+  frame_settings settings = small_frame(order_method::full_sort, 8);
+  CHECK(refusal(settings).find("--order full_sort") != std::string::npos);
+  settings = small_frame(order_method::k_buffer, 2);
+  CHECK(refusal(settings).find("--k must be") != std::string::npos);
+  settings = small_frame(order_method::k_buffer, 8);
+  settings.look.model = bsdf_model::chiang;
+  CHECK(refusal(settings).find("--bsdf") != std::string::npos);
+  settings = small_frame(order_method::k_buffer, 8);
+  settings.shadow.method = shadow_method::occupancy;
+  CHECK(refusal(settings).find("--shadow") != std::string::npos);
+}
+
+}  // namespace pelage::test
