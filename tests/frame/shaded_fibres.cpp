@@ -19,7 +19,7 @@ struct lit_scene {
   strands fibres = fibres_of(any_lines(4, glm::vec3(0.0F), 1.0F), 0.01F, 1.0F);
   view eye = perspective_view({0.0F, 0.0F, 5.0F}, glm::vec3(0.0F), 0.3F, 64, 64, 0.1F);
   raster from{fibres, eye, true};
-  scene world{fibres, {}, {}, {glm::vec3(0.0F), 1.8F}, glm::vec3(0.5F), fibre_bsdf({})};
+  scene world{fibres, {}, {}, {glm::vec3(0.0F), 1.8F}, glm::vec3(0.5F), fibre_bsdf({}, glm::vec3(0.5F))};
 
   lit_scene() { world.lights.push_back({place_light(parse_light("point:1.5,2,1:1,0.9,0.8"), world.bounds), nullptr}); }
 
