@@ -29,7 +29,8 @@ enum binding : std::uint32_t {
   picture_buffer,
   report_buffer,
   link_buffer,
-  slot_buffer
+  slot_buffer,
+  record_buffer
 };
 
 /// The words of shaders/scene.glsl's report of a view.

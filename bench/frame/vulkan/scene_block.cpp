@@ -63,8 +63,6 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
   b.shadows = has_shadows(settings.shown) ? 1 : 0;
   b.translucent = has_translucency(settings.shown) ? 1 : 0;
   b.antialias = settings.antialias ? 1 : 0;
-  b.shuffled = 1;
-  b.point_count = static_cast<std::uint32_t>(set.fibres.point.size());
   b.segment_count = set.fibres.segment_count();
   return b;
 }

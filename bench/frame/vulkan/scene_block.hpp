@@ -59,9 +59,8 @@ struct scene_block {
   std::uint32_t shadows;
   std::uint32_t translucent;
   std::uint32_t antialias;
-  std::uint32_t shuffled;
-  std::uint32_t point_count;
   std::uint32_t segment_count;
+  std::array<std::uint32_t, 2> unused;
 };
 static_assert(sizeof(scene_block::view_block) == 80 && sizeof(scene_block::light_block) == 48 &&
               sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1456);

@@ -9,10 +9,10 @@
 #include "raster.glsl"
 #include "lists.glsl"
 
-void visit(uint segment, ivec2 at, touch where) {
-  const pelage_fragment back = pelage_ordered_list_insert(index_of(at), fragment_of(segment, where), push.k);
+void visit(uint i, uint pixel, touch where) {
+  const pelage_fragment back = pelage_ordered_list_insert(pixel, fragment_of(i, where), push.k);
   if (pelage_is_fragment(back)) {
-    pelage_a_buffer_push(view_pixels() + index_of(at), back);
+    pelage_a_buffer_push(view_pixels() + pixel, back);
   }
 }
 

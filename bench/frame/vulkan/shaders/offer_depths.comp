@@ -9,8 +9,8 @@
 #define SPLIT
 #include "slots.glsl"
 
-void visit(uint segment, ivec2 at, touch where) {
-  pelage_two_pass_k_buffer_offer_depth(index_of(at), fragment_of(segment, where));
+void visit(uint i, uint pixel, touch where) {
+  pelage_two_pass_k_buffer_offer_depth(pixel, fragment_of(i, where));
 }
 
 void main() {

@@ -8,8 +8,8 @@
 #include "raster.glsl"
 #include "lists.glsl"
 
-void visit(uint segment, ivec2 at, touch where) {
-  pelage_a_buffer_push(index_of(at), fragment_of(segment, where));
+void visit(uint i, uint pixel, touch where) {
+  pelage_a_buffer_push(pixel, fragment_of(i, where));
 }
 
 void main() {

@@ -1,23 +1,17 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // A segment's fragments in a view, exact coverage included, as bench/frame/raster.hpp has it. A shader that draws
-// segments defines before the include what becomes of a fragment:
-//   void visit(uint segment, ivec2 at, touch where)
+// segments defines PELAGE_FRAME_DRAWS before the include, and behind it what becomes of a fragment of the segment that
+// begins at point i:
+//   void visit(uint i, uint pixel, touch where)
+// or, with PELAGE_FRAME_CANDIDATES, of a pixel that the segment may touch; few of these it does not:
+//   void visit(uint pixel)
 #ifndef PELAGE_FRAME_RASTER_GLSL
 #define PELAGE_FRAME_RASTER_GLSL
 #include "pelage/glsl/composite/optical_depth.glsl"
 #include "pelage/glsl/coverage/closest_points.glsl"
 #include "pelage/glsl/coverage/disc_strip.glsl"
-#include "pelage/glsl/coverage/segment_quad.glsl"
 #include "projection.glsl"
-
-// What a segment's word holds beside its first point.
-const uint begins_strand = 0x80000000u;
-const uint ends_strand = 0x40000000u;
-const uint point_mask = 0x3fffffffu;
-
-/// Beyond the fibre's own radius, a disc reaches half a pixel; the rest is for rounding.
-const float margin = 0.75;
 
 /// What a segment leaves in a pixel.
 struct touch {
@@ -34,12 +28,7 @@ struct placed_segment {
   float end_radius;
 };
 
-uint first_point(uint segment) {
-  return segments[segment] & point_mask;
-}
-
-precise placed_segment place(uint segment) {
-  const uint i = first_point(segment);
+precise placed_segment place(uint i) {
   const vec4 a = points[i];
   const vec4 b = points[i + 1u];
   return placed_segment(to_view(push.view, a.xyz), to_view(push.view, b.xyz), a.w, b.w);
@@ -59,24 +48,22 @@ precise touch touch_of(placed_segment s, ivec2 at) {
   return touch(pair.along_ray, in_front ? share : 0.0, pair.along_segment);
 }
 
-/// What is kept of a fragment in the view: the camera's is found again by its segment's number; a light needs its
-/// optical depth alone, and fragments that have depth and optical depth in common are alike.
-precise pelage_fragment fragment_of(uint segment, touch where) {
-  if (is_camera()) {
-    return pelage_fragment(where.depth, segment);
-  }
-  const uint i = first_point(segment);
-  const float opacity =
-      scene.translucent ? opacities[i] + where.along * (opacities[i + 1u] - opacities[i]) : 1.0;
-  return pelage_fragment(where.depth, pelage_optical_depth(opacity * where.coverage));
-}
-
 #ifdef PELAGE_FRAME_DRAWS
-void visit(uint segment, ivec2 at, touch where);
+#ifdef PELAGE_FRAME_CANDIDATES
+void visit(uint pixel);
+#else
+void visit(uint i, uint pixel, touch where);
+#endif
 
-/// The first pixel of [low, high] whose centre does not lie before x; quads may reach beyond any int.
-precise int first_centre_from(float x, int low, int high) {
-  return int(ceil(clamp(x - 0.5, float(low), float(high))));
+/// What is kept of a fragment in the view: the camera's is found again by its segment's first point, a number that
+/// orders as the segment's; a light needs the optical depth alone, and fragments that have depth and optical depth in
+/// common are alike.
+precise pelage_fragment fragment_of(uint i, touch where) {
+  if (is_camera()) {
+    return pelage_fragment(where.depth, i);
+  }
+  const float opacity = scene.translucent ? opacities[i] + where.along * (opacities[i + 1u] - opacities[i]) : 1.0;
+  return pelage_fragment(where.depth, pelage_optical_depth(opacity * where.coverage));
 }
 
 /// How far a pixel's centre lies past a joint along the strand, in units of no use but the sign.
@@ -84,11 +71,33 @@ precise float past(vec2 centre, vec2 joint, vec2 strand) {
   return dot(centre - joint, strand);
 }
 
-/// Draws one segment. True if it left a fragment.
-bool draw(uint segment) {
-  const placed_segment s = place(segment);
-  const uint word = segments[segment];
+/// Twice the area between a pixel's centre and an edge.
+precise float area(vec2 centre, vec2 start, vec2 edge) {
+  return (centre.x - start.x) * edge.y - (centre.y - start.y) * edge.x;
+}
+
+/// How far beside the axis, in pixels, the centre of a pixel may lie that the fibre touches. A ray that passes a point
+/// of the axis, z deep, at distance d passes it on the screen within d |u| scale / z, where u is the ray's direction;
+/// the pixel's disc is half a pixel wide where the ray is z deep, and d |u| / 2 z wider where it is nearest.
+precise float reach(float radius, float depth) {
+  const vec2 corner = (0.5 * vec2(VIEW.size) + 0.5) / VIEW.scale;
+  const float slant = VIEW.perspective ? sqrt(1.0 + dot(corner, corner)) : 1.0;
+  const float fibre = VIEW.perspective ? radius * VIEW.scale / depth : radius * VIEW.scale;
+  return 1.001 * slant * (fibre + 0.5) / (1.0 - 0.5 * slant * VIEW.cone_slope) + 0.01;
+}
+
+/// Draws the segment that begins at a point. True if it left a fragment.
+///
+/// Pixels are walked along the longer side of the screen's rectangle round the axis, and of each column those whose
+/// centres are within reach. What a candidate fails cheaply is tested first, so that lanes that go on to the coverage
+/// do so together.
+bool draw(uint word) {
   const uint i = word & point_mask;
+  const placed_segment s = place(i);
+  const float near_depth = min(-s.start.z, -s.end.z);
+  if (max(-s.start.z, -s.end.z) < VIEW.near_plane) {
+    return false;
+  }
   const vec2 start = to_pixel(push.view, s.start);
   const vec2 end = to_pixel(push.view, s.end);
   // The line through a joint at right angles to the strand divides the pixels between the segments that meet there.
@@ -100,55 +109,56 @@ bool draw(uint segment) {
   const bool seen_end_on = start_joint == vec2(0.0) && end_joint == vec2(0.0);
 
   const float widest = max(s.start_radius, s.end_radius);
-  const pelage_segment_quad quad =
-      pelage_expand_segment(s.start, s.end, widest, cone_of(push.view), VIEW.near_plane, margin);
-  if (!quad.visible) {
-    return false;
-  }
-  vec2 corner[4];
-  bool bounded = true;
-  for (int k = 0; k < 4; ++k) {
-    bounded = bounded && (!VIEW.perspective || -quad.corner[k].z >= VIEW.near_plane);
-    corner[k] = to_pixel(push.view, quad.corner[k]);
-  }
-  const float top = min(min(corner[0].y, corner[1].y), min(corner[2].y, corner[3].y));
-  const float bottom = max(max(corner[0].y, corner[1].y), max(corner[2].y, corner[3].y));
-  const int y1 = bounded ? first_centre_from(bottom, 0, VIEW.size.y) : VIEW.size.y;
-  // Rows and pixels of a row are one loop: lanes with another number of rows stay together.
-  int y = (bounded ? first_centre_from(top, 0, VIEW.size.y) : 0) - 1;
-  int x = 0;
-  int x1 = 0;
+  const bool bounded = near_depth >= VIEW.near_plane;  // else it may be anywhere
+  const float side = bounded ? reach(widest, near_depth) : 1e9;
+  const vec2 axis = end - start;
+  const bool upright = abs(axis.y) > abs(axis.x);
+  const ivec2 size = upright ? VIEW.size.yx : VIEW.size;  // from here on x is along the walk
+  const vec2 from = upright ? start.yx : start;
+  const vec2 way = upright ? axis.yx : axis;
+  const float slope = way.x != 0.0 ? way.y / way.x : 0.0;
+  const float half_height = side * sqrt(1.0 + slope * slope);
+  const float farthest_aside = side * length(axis);
+  const bool a_point = way.x == 0.0;
+  const float left = min(from.x, from.x + way.x) - side;
+  const float right = max(from.x, from.x + way.x) + side;
+  const int last = int(floor(clamp(right - 0.5, -1.0, float(size.x - 1))));
+  const int height = int(clamp(floor(2.0 * half_height) + 1.0, 1.0, float(size.y)));
+  // No ray is nearer to the axis than the nearest end by more than fibre and disc are wide.
+  const float least_depth = near_depth - 2.0 * (widest + pelage_radius_at(cone_of(push.view), near_depth));
+
+  ivec2 walk = ivec2(int(ceil(clamp(left - 0.5, 0.0, float(size.x)))) - 1, 0);
+  int row = height;
   bool any = false;
   for (;;) {
-    while (x >= x1 && ++y < y1) {
-      const float centre = float(y) + 0.5;
-      float left = bounded ? 1e30 : -1e30;
-      float right = -left;
-      for (int k = 0; k < 4 && bounded; ++k) {
-        const vec2 a = corner[k];
-        const vec2 b = corner[(k + 1) & 3];
-        if ((a.y <= centre) != (b.y <= centre)) {
-          const float crossing = a.x + (centre - a.y) / (b.y - a.y) * (b.x - a.x);
-          left = min(left, crossing);
-          right = max(right, crossing);
+    ivec2 at;
+    bool candidate = false;
+    do {
+      if (row == height) {
+        if (++walk.x > last) {
+          return any;
         }
+        row = 0;
+        const float middle = from.y + (float(walk.x) + 0.5 - from.x) * slope;
+        walk.y = bounded ? int(ceil(clamp(middle - half_height - 0.5, -1.0, float(size.y)))) : 0;
       }
-      x = first_centre_from(left, 0, VIEW.size.x);
-      x1 = first_centre_from(right, 0, VIEW.size.x);
+      const int y = walk.y + row++;
+      at = upright ? ivec2(y, walk.x) : ivec2(walk.x, y);
+      const vec2 centre = vec2(at) + 0.5;
+      const bool inside = past(centre, start, start_joint) >= 0.0 && past(centre, end, end_joint) < 0.0;
+      candidate = y >= 0 && y < size.y && (inside || seen_end_on) &&
+                  (!bounded || a_point || abs(area(centre, start, axis)) <= farthest_aside);
+      candidate = candidate && !(least_depth >= limits[VIEW.first_pixel + index_of(at)]);
+    } while (!candidate);
+#ifdef PELAGE_FRAME_CANDIDATES
+    visit(index_of(at));
+#else
+    const touch where = touch_of(s, at);
+    if (where.coverage > 0.0 && !(where.depth >= limits[VIEW.first_pixel + index_of(at)])) {
+      any = true;
+      visit(i, index_of(at), where);
     }
-    if (y >= y1) {
-      return any;
-    }
-    const ivec2 at = ivec2(x++, y);
-    const vec2 centre = vec2(at) + 0.5;
-    const bool inside = past(centre, start, start_joint) >= 0.0 && past(centre, end, end_joint) < 0.0;
-    if (inside || seen_end_on) {
-      const touch where = touch_of(s, at);
-      if (where.coverage > 0.0 && !(where.depth >= limits[VIEW.first_pixel + index_of(at)])) {
-        any = true;
-        visit(segment, at, where);
-      }
-    }
+#endif
   }
 }
 
@@ -158,11 +168,13 @@ void draw_own_segment() {
   if (i >= scene.segment_count) {
     return;
   }
-  const uint segment = scene.shuffled ? drawing_order[i] : i;
-  const bool any = draw(segment);
+  const uint word = segments[drawing_order[i]];
+  const bool any = draw(word);
+#ifndef PELAGE_FRAME_CANDIDATES
   if (is_camera()) {
-    seen[first_point(segment)] = any ? 1u : 0u;
+    seen[word & point_mask] = any ? 1u : 0u;
   }
+#endif
 }
 #endif
 
