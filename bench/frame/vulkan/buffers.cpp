@@ -63,20 +63,21 @@ void upload_fibres(device& to, const strands& fibres, std::span<const std::uint3
   std::vector<glm::vec4> points(count);
   for (std::size_t i = 0; i < count; ++i)
     points[i] = glm::vec4(fibres.point[i], fibres.radius[i]);
-  std::vector<std::uint32_t> segments = fibres.segment;
-  for (std::uint32_t& s : segments) {
-    const std::uint32_t i = s;
-    if ((fibres.end_of[i] & strands::first) != 0) s |= begins_strand;
-    if ((fibres.end_of[i + 1] & strands::last) != 0) s |= ends_strand;
+  const std::vector<std::uint32_t> by_root =
+      drawing_order.empty() ? order_by_root(fibres) : std::vector<std::uint32_t>();
+  const std::span<const std::uint32_t> order = drawing_order.empty() ? std::span(by_root) : drawing_order;
+  std::vector<std::uint32_t> segments(order.size());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const std::uint32_t i = fibres.segment[order[s]];
+    segments[s] = i;
+    if ((fibres.end_of[i] & strands::first) != 0) segments[s] |= begins_strand;
+    if ((fibres.end_of[i + 1] & strands::last) != 0) segments[s] |= ends_strand;
   }
   upload_all(to, point_buffer, points);
   upload_all(to, tangent_buffer, fibres.tangent);
   upload_all(to, colour_buffer, fibres.colour);
   upload_all(to, opacity_buffer, fibres.opacity);
   upload_all(to, segment_buffer, segments);
-  upload_all(to, drawing_buffer,
-             drawing_order.empty() ? order_by_root(fibres)
-                                   : std::vector<std::uint32_t>(drawing_order.begin(), drawing_order.end()));
 }
 
 }  // namespace pelage::frame::vulkan

@@ -16,7 +16,7 @@ enum binding : std::uint32_t {
   colour_buffer,
   opacity_buffer,
   segment_buffer,
-  drawing_buffer,
+  record_buffer,
   limit_buffer,
   sample_buffer,
   count_buffer,
@@ -29,8 +29,7 @@ enum binding : std::uint32_t {
   picture_buffer,
   report_buffer,
   link_buffer,
-  slot_buffer,
-  record_buffer
+  slot_buffer
 };
 
 /// The words of shaders/scene.glsl's report of a view.

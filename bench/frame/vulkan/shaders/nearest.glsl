@@ -116,9 +116,12 @@ void select_nearest(uint begin, uint end) {
   for (uint row = 0u; row < rows; ++row) {
     nearest[row] = none;
   }
+  uint i = begin + gl_SubgroupInvocationID;
+  uvec2 next = i < end ? key_of(offered_at(i)) : none;
   for (uint from = begin; from < end; from += lanes) {
-    const uint i = from + gl_SubgroupInvocationID;
-    const uvec2 mine = i < end ? key_of(offered_at(i)) : none;
+    const uvec2 mine = next;
+    i += lanes;
+    next = i < end ? key_of(offered_at(i)) : none;  // on its way while these are put in order
     bool waiting = key_before(mine, kth());
     uvec4 ballot = subgroupBallot(waiting);
     if (subgroupBallotBitCount(ballot) > most_insertions) {

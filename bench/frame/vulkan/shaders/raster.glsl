@@ -55,6 +55,8 @@ void visit(uint pixel);
 void visit(uint i, uint pixel, touch where);
 #endif
 
+vec2 drawn_opacity;  ///< at the two ends of the segment that is being drawn for a light
+
 /// What is kept of a fragment in the view: the camera's is found again by its segment's first point, a number that
 /// orders as the segment's; a light needs the optical depth alone, and fragments that have depth and optical depth in
 /// common are alike.
@@ -62,7 +64,7 @@ precise pelage_fragment fragment_of(uint i, touch where) {
   if (is_camera()) {
     return pelage_fragment(where.depth, i);
   }
-  const float opacity = scene.translucent ? opacities[i] + where.along * (opacities[i + 1u] - opacities[i]) : 1.0;
+  const float opacity = drawn_opacity.x + where.along * (drawn_opacity.y - drawn_opacity.x);
   return pelage_fragment(where.depth, pelage_optical_depth(opacity * where.coverage));
 }
 
@@ -86,6 +88,14 @@ precise float reach(float radius, float depth) {
   return 1.001 * slant * (fibre + 0.5) / (1.0 - 0.5 * slant * VIEW.cone_slope) + 0.01;
 }
 
+/// How far past its end, in shares of reach(), pixels on a segment's side of a joint's line reach along the walk:
+/// the line leans by the walk's angle with the axis and the axis's angle with the strand.
+precise float past_end(vec2 axis, vec2 strand, float sine, float cosine) {
+  const float along = dot(axis, strand);
+  const float across = abs(axis.x * strand.y - axis.y * strand.x);
+  return along > across ? min(sine + cosine * across / along, 1.0) : 1.0;
+}
+
 /// Draws the segment that begins at a point. True if it left a fragment.
 ///
 /// Pixels are walked along the longer side of the screen's rectangle round the axis, and of each column those whose
@@ -94,6 +104,9 @@ precise float reach(float radius, float depth) {
 bool draw(uint word) {
   const uint i = word & point_mask;
   const placed_segment s = place(i);
+#ifndef PELAGE_FRAME_CANDIDATES
+  drawn_opacity = scene.translucent && !is_camera() ? vec2(opacities[i], opacities[i + 1u]) : vec2(1.0);
+#endif
   const float near_depth = min(-s.start.z, -s.end.z);
   if (max(-s.start.z, -s.end.z) < VIEW.near_plane) {
     return false;
@@ -118,10 +131,15 @@ bool draw(uint word) {
   const vec2 way = upright ? axis.yx : axis;
   const float slope = way.x != 0.0 ? way.y / way.x : 0.0;
   const float half_height = side * sqrt(1.0 + slope * slope);
-  const float farthest_aside = side * length(axis);
   const bool a_point = way.x == 0.0;
-  const float left = min(from.x, from.x + way.x) - side;
-  const float right = max(from.x, from.x + way.x) + side;
+  const float size_of_axis = length(axis);
+  const float sine = a_point ? 1.0 : abs(way.y) / size_of_axis;
+  const float cosine = a_point ? 0.0 : abs(way.x) / size_of_axis;
+  const float start_past = side * past_end(axis, start_joint, sine, cosine);
+  const float end_past = side * past_end(axis, end_joint, sine, cosine);
+  const float left = way.x < 0.0 ? from.x + way.x - end_past : from.x - start_past;
+  const float right = way.x < 0.0 ? from.x + start_past : from.x + way.x + end_past;
+  const float farthest_aside = side * size_of_axis;
   const int last = int(floor(clamp(right - 0.5, -1.0, float(size.x - 1))));
   const int height = int(clamp(floor(2.0 * half_height) + 1.0, 1.0, float(size.y)));
   // No ray is nearer to the axis than the nearest end by more than fibre and disc are wide.
@@ -131,7 +149,9 @@ bool draw(uint word) {
   int row = height;
   bool any = false;
   for (;;) {
+    uint pixel;
     ivec2 at;
+    float limit;
     bool candidate = false;
     do {
       if (row == height) {
@@ -148,15 +168,19 @@ bool draw(uint word) {
       const bool inside = past(centre, start, start_joint) >= 0.0 && past(centre, end, end_joint) < 0.0;
       candidate = y >= 0 && y < size.y && (inside || seen_end_on) &&
                   (!bounded || a_point || abs(area(centre, start, axis)) <= farthest_aside);
-      candidate = candidate && !(least_depth >= limits[VIEW.first_pixel + index_of(at)]);
+      if (candidate) {
+        pixel = index_of(at);
+        limit = limits[VIEW.first_pixel + pixel];
+        candidate = !(least_depth >= limit);
+      }
     } while (!candidate);
 #ifdef PELAGE_FRAME_CANDIDATES
-    visit(index_of(at));
+    visit(pixel);
 #else
     const touch where = touch_of(s, at);
-    if (where.coverage > 0.0 && !(where.depth >= limits[VIEW.first_pixel + index_of(at)])) {
+    if (where.coverage > 0.0 && !(where.depth >= limit)) {
       any = true;
-      visit(i, index_of(at), where);
+      visit(i, pixel, where);
     }
 #endif
   }
@@ -168,7 +192,7 @@ void draw_own_segment() {
   if (i >= scene.segment_count) {
     return;
   }
-  const uint word = segments[drawing_order[i]];
+  const uint word = segments[i];
   const bool any = draw(word);
 #ifndef PELAGE_FRAME_CANDIDATES
   if (is_camera()) {

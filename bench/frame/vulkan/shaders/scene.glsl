@@ -82,7 +82,7 @@ layout(std430, binding = 2) readonly buffer tangent_buffer { float tangents[]; }
 layout(std430, binding = 3) readonly buffer colour_buffer { float colours[]; };
 layout(std430, binding = 4) readonly buffer opacity_buffer { float opacities[]; };
 layout(std430, binding = 5) readonly buffer segment_buffer { uint segments[]; };  ///< first point and the two bits
-layout(std430, binding = 6) readonly buffer drawing_buffer { uint drawing_order[]; };
+layout(std430, binding = 6) buffer record_buffer { uvec4 records[]; };  ///< a fragment, its coverage, where it lies
 layout(std430, binding = 7) buffer limit_buffer { float limits[]; };  ///< a pixel of a view: hidden from this depth on
 layout(std430, binding = 8) buffer sample_buffer { float sample_depths[]; };  ///< nine a pixel of the camera
 layout(std430, binding = 9) coherent buffer count_buffer { uint counts[]; };  ///< room a pixel wants, then its next free place
@@ -94,7 +94,6 @@ layout(std430, binding = 14) buffer shaded_buffer { uvec2 shaded[]; };  ///< a p
 layout(std430, binding = 15) buffer seen_buffer { uint seen[]; };  ///< a point: the camera sees the segment from it on
 layout(std430, binding = 16) buffer picture_buffer { float picture[]; };  ///< linear RGB
 layout(std430, binding = 17) coherent buffer report_buffer { view_report reports[]; };  ///< one a view
-layout(std430, binding = 20) buffer record_buffer { uvec4 records[]; };  ///< a fragment, its coverage, where it lies
 layout(std430, binding = 18) coherent buffer link_buffer { uint links[]; };
 
 #define VIEW scene.views[push.view]

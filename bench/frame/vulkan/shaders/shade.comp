@@ -37,7 +37,7 @@ void main() {
   if (s >= scene.segment_count) {
     return;
   }
-  const uint word = segments[drawing_order[s]];
+  const uint word = segments[s];
   const uint i = word & point_mask;
   if (seen[i] != 0u || ((word & begins_strand) == 0u && seen[i - 1u] != 0u)) {
     shade(i);
