@@ -85,7 +85,7 @@ void device::pick() {
       vk_.vkGetPhysicalDeviceProperties2(one, &all_properties);
       subgroup_ = subgroups.subgroupSize;
       // Mesa's lavapipe loses invocations at a barrier in a loop when a workgroup is larger than a subgroup.
-      workgroup_ = gpu ? 128 : 8;
+      workgroup_ = gpu ? 256 : 8;
       return;
     }
   }

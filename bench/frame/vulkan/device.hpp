@@ -73,7 +73,7 @@ class device {
   std::string name_;
   bool has_64_bit_atomics_ = false;
   std::uint32_t family_ = 0;
-  std::uint32_t workgroup_ = 128;
+  std::uint32_t workgroup_ = 256;
   std::uint32_t subgroup_ = 32;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
