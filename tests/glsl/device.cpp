@@ -52,23 +52,24 @@ constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 }  // namespace
 
 /// Every Vulkan function that the harness calls, X-macro so that each is named once.
-#define PELAGE_INSTANCE_FUNCTIONS(X)                                                                                  \
-  X(vkDestroyInstance)                                                                                                \
-  X(vkEnumeratePhysicalDevices)                                                                                       \
-  X(vkGetPhysicalDeviceProperties) X(vkGetPhysicalDeviceMemoryProperties) X(vkGetPhysicalDeviceQueueFamilyProperties) \
-      X(vkCreateDevice) X(vkGetPhysicalDeviceFeatures2) X(vkGetDeviceProcAddr)
-#define PELAGE_DEVICE_FUNCTIONS(X)                                                                                   \
-  X(vkDestroyDevice)                                                                                                 \
-  X(vkGetDeviceQueue)                                                                                                \
-  X(vkCreateBuffer) X(vkDestroyBuffer) X(vkGetBufferMemoryRequirements) X(vkAllocateMemory) X(vkFreeMemory)          \
-      X(vkBindBufferMemory) X(vkMapMemory) X(vkUnmapMemory) X(vkCreateShaderModule) X(vkDestroyShaderModule)         \
-          X(vkCreateDescriptorSetLayout) X(vkDestroyDescriptorSetLayout) X(vkCreatePipelineLayout)                   \
-              X(vkDestroyPipelineLayout) X(vkCreateComputePipelines) X(vkDestroyPipeline) X(vkCreateDescriptorPool)  \
-                  X(vkDestroyDescriptorPool) X(vkAllocateDescriptorSets) X(vkUpdateDescriptorSets)                   \
-                      X(vkCreateCommandPool) X(vkDestroyCommandPool) X(vkAllocateCommandBuffers)                     \
-                          X(vkBeginCommandBuffer) X(vkEndCommandBuffer) X(vkCmdBindPipeline)                         \
-                              X(vkCmdBindDescriptorSets) X(vkCmdDispatch) X(vkCmdPipelineBarrier) X(vkCmdCopyBuffer) \
-                                  X(vkQueueSubmit) X(vkQueueWaitIdle) X(vkResetDescriptorPool) X(vkResetCommandPool)
+#define PELAGE_INSTANCE_FUNCTIONS(X)                                                                   \
+  X(vkDestroyInstance)                                                                                 \
+  X(vkEnumeratePhysicalDevices)                                                                        \
+  X(vkGetPhysicalDeviceProperties)                                                                     \
+  X(vkGetPhysicalDeviceMemoryProperties) X(vkGetPhysicalDeviceQueueFamilyProperties) X(vkCreateDevice) \
+      X(vkGetPhysicalDeviceFeatures2) X(vkGetDeviceProcAddr)
+#define PELAGE_DEVICE_FUNCTIONS(X)                                                                                     \
+  X(vkDestroyDevice)                                                                                                   \
+  X(vkGetDeviceQueue)                                                                                                  \
+  X(vkCreateBuffer)                                                                                                    \
+  X(vkDestroyBuffer) X(vkGetBufferMemoryRequirements) X(vkAllocateMemory) X(vkFreeMemory) X(vkBindBufferMemory)        \
+      X(vkMapMemory) X(vkUnmapMemory) X(vkCreateShaderModule) X(vkDestroyShaderModule) X(vkCreateDescriptorSetLayout)  \
+          X(vkDestroyDescriptorSetLayout) X(vkCreatePipelineLayout) X(vkDestroyPipelineLayout)                         \
+              X(vkCreateComputePipelines) X(vkDestroyPipeline) X(vkCreateDescriptorPool) X(vkDestroyDescriptorPool)    \
+                  X(vkAllocateDescriptorSets) X(vkUpdateDescriptorSets) X(vkCreateCommandPool) X(vkDestroyCommandPool) \
+                      X(vkAllocateCommandBuffers) X(vkBeginCommandBuffer) X(vkEndCommandBuffer) X(vkCmdBindPipeline)   \
+                          X(vkCmdBindDescriptorSets) X(vkCmdDispatch) X(vkCmdPipelineBarrier) X(vkCmdCopyBuffer)       \
+                              X(vkQueueSubmit) X(vkQueueWaitIdle) X(vkResetDescriptorPool) X(vkResetCommandPool)
 
 struct device::state {
   void* loader = nullptr;
