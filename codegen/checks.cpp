@@ -3,8 +3,20 @@
 #include "translator.hpp"
 
 #include <algorithm>
+#include <iostream>
 
 namespace pelage::codegen {
+
+void problems::add(clang::SourceLocation where, const std::string& reason) {
+  const clang::PresumedLoc place = sources_.getPresumedLoc(sources_.getExpansionLoc(where));
+  found_.emplace(place.isValid() ? place.getFilename() : "?", place.isValid() ? place.getLine() : 0, reason);
+}
+
+void problems::print() const {
+  for (const auto& [file, line, reason] : found_) {
+    std::cerr << file << ":" << line << ": error: " << reason << "\n";
+  }
+}
 
 void translator::check_recursion() {
   std::map<const entity*, int> state;  // 1 while on the path, 2 when done

@@ -24,13 +24,12 @@ std::string doc_lines_above(llvm::StringRef text, std::size_t offset) {
 
 /// The /// lines right above a declaration.
 std::string translator::doc_above(SourceLocation declaration) {
-  return doc_lines_above(sources_.getBufferData(sources_.getFileID(sources_.getExpansionLoc(declaration))),
-                         offset(declaration));
+  return doc_lines_above(sources_.getBufferData(file(declaration)), offset(declaration));
 }
 
 /// The ///< comment behind a declaration, with lines that continue it.
 std::string translator::doc_beside(SourceLocation declaration) {
-  const llvm::StringRef text = sources_.getBufferData(sources_.getFileID(sources_.getExpansionLoc(declaration)));
+  const llvm::StringRef text = sources_.getBufferData(file(declaration));
   std::string doc;
   for (std::size_t begin = offset(declaration);;) {
     const std::size_t end = text.find('\n', begin);

@@ -36,31 +36,28 @@ entity& translator::slot(const NamedDecl* d) {
   return *place;
 }
 
-void translator::need(const NamedDecl* d, SourceLocation where) {
+void translator::require(const NamedDecl* d) {
+  if (required_.insert(d->getCanonicalDecl()).second) waiting_.push_back(d);
+}
+
+std::string translator::use(const NamedDecl* d, SourceLocation where) {
+  require(d);
   if (fresh_) fresh_->needs.emplace_back(&slot(d), where);
-}
-
-void translator::require_function(const FunctionDecl* f) {
-  if (required_.insert(f->getCanonicalDecl()).second) waiting_.emplace_back([this, f] { translate_function(f); });
-}
-
-void translator::require_record(const CXXRecordDecl* r) {
-  if (required_.insert(r->getCanonicalDecl()).second) waiting_.emplace_back([this, r] { translate_record(r); });
-}
-
-void translator::require_enum(const EnumDecl* e) {
-  if (required_.insert(e->getCanonicalDecl()).second) waiting_.emplace_back([this, e] { translate_enum(e); });
-}
-
-void translator::require_constant(const VarDecl* v) {
-  if (required_.insert(v->getCanonicalDecl()).second) waiting_.emplace_back([this, v] { translate_constant(v); });
+  return global_name(d);
 }
 
 void translator::finish() {
-  while (!waiting_.empty()) {
-    const std::function<void()> next = waiting_.front();
-    waiting_.pop_front();
-    next();
+  for (; !waiting_.empty(); waiting_.pop_front()) {
+    const NamedDecl* next = waiting_.front();
+    if (const auto* f = dyn_cast<FunctionDecl>(next)) {
+      translate_function(f);
+    } else if (const auto* r = dyn_cast<CXXRecordDecl>(next)) {
+      translate_record(r);
+    } else if (const auto* e = dyn_cast<EnumDecl>(next)) {
+      translate_enum(e);
+    } else {
+      translate_constant(cast<VarDecl>(next));
+    }
   }
   check_recursion();
   check_overloads();
@@ -78,7 +75,7 @@ bool translator::begin(const NamedDecl* d) {
   locals_.clear();
   renamed_.clear();
   in_storage_ = arithmetic_ = false;
-  fresh_->where = unit_of_(sources_.getFileID(sources_.getExpansionLoc(where)));
+  fresh_->where = unit_of_(file(where));
   if (fresh_->where == nullptr) {
     reject(where, d->getQualifiedNameAsString() + " lies in a header that is not mirrored");
     return false;

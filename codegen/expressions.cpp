@@ -276,9 +276,7 @@ std::string translator::reference(const DeclRefExpr* r) {
   if (const auto* e = dyn_cast<EnumConstantDecl>(d)) {
     const auto* owner = cast<EnumDecl>(e->getDeclContext());
     if (owner->isInStdNamespace()) return "pelage_" + owner->getNameAsString() + "_" + e->getNameAsString();
-    require_enum(owner);
-    need(owner, r->getBeginLoc());
-    return global_name(owner) + "_" + e->getNameAsString();
+    return use(owner, r->getBeginLoc()) + "_" + e->getNameAsString();
   }
   const auto* v = dyn_cast<VarDecl>(d);
   if (isa<BindingDecl>(d) || (v != nullptr && v->isStaticLocal())) return d->getNameAsString();  // told already
@@ -297,18 +295,14 @@ std::string translator::reference(const DeclRefExpr* r) {
     if (v->getType()->isEnumeralType()) return "pelage_" + v->getNameAsString();  // std::memory_order_relaxed
     return constant(r);
   }
-  require_constant(v);
-  need(v, r->getBeginLoc());
-  return global_name(v);
+  return use(v, r->getBeginLoc());
 }
 
 std::string translator::member(const MemberExpr* m) {
   const ValueDecl* d = m->getMemberDecl();
   if (const auto* v = dyn_cast<VarDecl>(d)) {
     if (!v->isConstexpr()) return reject(m->getBeginLoc(), "static data member that is not constexpr");
-    require_constant(v);
-    need(v, m->getBeginLoc());
-    return global_name(v);
+    return use(v, m->getBeginLoc());
   }
   const auto* f = dyn_cast<FieldDecl>(d);
   if (f == nullptr) return reject(m->getBeginLoc(), "`" + d->getNameAsString() + "` is not in the subset");
@@ -328,29 +322,21 @@ std::string translator::initializer_list(const InitListExpr* l) {
     if (l->getNumInits() == 0) return zero(type, l->getBeginLoc());
     return l->getNumInits() == 1 ? expression(l->getInit(0)) : reject(l->getBeginLoc(), "list of values");
   }
+  const std::vector<const Expr*> values(l->inits().begin(), l->inits().end());
   QualType element;
   std::string extent;
-  const std::vector<const Expr*> values(l->inits().begin(), l->inits().end());
-  if (is_array(type, element, extent, l->getBeginLoc())) {
-    const auto* inner = values.empty() ? nullptr : dyn_cast<InitListExpr>(values.front()->IgnoreImplicit());
-    const std::string name = type_of(type, l->getBeginLoc()).text();
-    const unsigned given = inner == nullptr ? 0 : inner->getNumInits();
-    const unsigned count = count_of(type, element, l->getBeginLoc());
-    if (count == 0 || count > given + 16) {
-      return reject(l->getBeginLoc(), "an array of many zeros: declare it without a value and fill it in a loop");
-    }
-    std::string parts;
-    for (unsigned i = 0; i < count; ++i) {
-      parts += i == 0 ? "" : ", ";
-      parts += i < given ? expression(inner->getInit(i)) : zero(element, l->getBeginLoc());
-    }
-    return name + "(" + parts + ")";
-  }
-  const std::string name = type_of(type, l->getBeginLoc()).text();
-  std::string parts;
+  if (!is_array(type, element, extent)) return type_of(type, l->getBeginLoc()).text() + "(" + listed(values) + ")";
+  const auto* inner = values.empty() ? nullptr : dyn_cast<InitListExpr>(values.front()->IgnoreImplicit());
+  std::vector<const Expr*> elements;
+  if (inner != nullptr) elements.assign(inner->inits().begin(), inner->inits().end());
+  return array_value(type, elements, l->getBeginLoc());
+}
+
+std::string translator::listed(const std::vector<const Expr*>& values) {
+  std::string text;
   for (const Expr* value : values)
-    parts += (parts.empty() ? "" : ", ") + expression(value);
-  return name + "(" + parts + ")";
+    text += (text.empty() ? "" : ", ") + expression(value);
+  return text;
 }
 
 }  // namespace pelage::codegen

@@ -116,7 +116,7 @@ std::string builtin_function(const std::string& qualified) {
     lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual any all roundEven floatBitsToInt
     floatBitsToUint intBitsToFloat uintBitsToFloat bitCount findLSB findMSB bitfieldReverse)");
   static const std::map<std::string, std::string> other = {
-      {"std::fabs", "abs"}, {"std::atan2", "atan"}, {"glm::not_", "not"}, {"std::popcount", "bitCount"}};
+      {"std::fabs", "abs"}, {"std::atan2", "atan"}, {"glm::not_", "not"}};
   if (const auto found = other.find(qualified); found != other.end()) {
     return found->second;
   }
@@ -124,6 +124,14 @@ std::string builtin_function(const std::string& qualified) {
   const bool same = (qualified.rfind("std::", 0) == 0 && std_same.count(name) != 0) ||
                     (qualified.rfind("glm::", 0) == 0 && glm_same.count(name) != 0);
   return same ? name : std::string();
+}
+
+bool is_std(const clang::NamedDecl* d) {
+  return d->getQualifiedNameAsString().rfind("std::", 0) == 0;
+}
+
+bool is_glm(const clang::NamedDecl* d) {
+  return d->getQualifiedNameAsString().rfind("glm::", 0) == 0;
 }
 
 }  // namespace pelage::codegen

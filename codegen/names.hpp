@@ -22,4 +22,8 @@ namespace pelage::codegen {
 /// The GLSL built-in that a function of std:: or glm:: becomes where both take the same arguments, or nothing.
 [[nodiscard]] std::string builtin_function(const std::string& qualified);
 
+/// In std:: or in glm::, members of their classes too.
+[[nodiscard]] bool is_std(const clang::NamedDecl* d);
+[[nodiscard]] bool is_glm(const clang::NamedDecl* d);
+
 }  // namespace pelage::codegen

@@ -117,7 +117,7 @@ void translator::note_sizes(const NamedDecl* owner, const TemplateDecl* pattern,
     if (arguments[i].getKind() == TemplateArgument::Type) {
       const TemplateDecl* of = nullptr;
       const TemplateArgumentList* sizes = arguments_of(arguments[i].getAsType()->getAsCXXRecordDecl(), of);
-      const bool ours = sizes != nullptr && unit_of_(sources_.getFileID(sources_.getExpansionLoc(of->getLocation())));
+      const bool ours = sizes != nullptr && unit_of_(file(of->getLocation()));
       for (unsigned j = 0; ours && j < sizes->size(); ++j) {
         if (!is_size(of->getTemplateParameters()->getParam(j))) continue;
         size_values_.emplace_back(macro_name(of, j), (*sizes)[j].getAsIntegral());
@@ -134,7 +134,7 @@ void translator::note_sizes(const NamedDecl* owner, const TemplateDecl* pattern,
     size_values_.emplace_back(name, arguments[i].getAsIntegral());
     values += value + " ";
     if (alias != aliases_.end()) continue;
-    if (unit* u = unit_of_(sources_.getFileID(sources_.getExpansionLoc(pattern->getLocation())))) {
+    if (unit* u = unit_of_(file(pattern->getLocation()))) {
       u->sizes.try_emplace(name, value);
     }
   }

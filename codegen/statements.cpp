@@ -152,7 +152,7 @@ std::string translator::range_loop(const CXXForRangeStmt* s) {
   QualType range_type = range->getType();
   if (const auto* m = dyn_cast<MemberExpr>(range)) range_type = m->getMemberDecl()->getType();
   if (const auto* r = dyn_cast<DeclRefExpr>(range)) range_type = r->getDecl()->getType();
-  if (!is_array(range_type.getNonReferenceType().getUnqualifiedType(), element, extent, range->getBeginLoc())) {
+  if (!is_array(range_type.getNonReferenceType().getUnqualifiedType(), element, extent)) {
     return reject(range->getBeginLoc(), "range-for over something other than a std::array");
   }
   const std::string name = local_name(v);

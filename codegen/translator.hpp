@@ -48,10 +48,8 @@ class translator {
   translator(clang::ASTContext& context, problems& found, unit_finder units)
       : context_(context), sources_(context.getSourceManager()), found_(found), unit_of_(std::move(units)) {}
 
-  void require_function(const clang::FunctionDecl* f);
-  void require_record(const clang::CXXRecordDecl* r);
-  void require_enum(const clang::EnumDecl* e);
-  void require_constant(const clang::VarDecl* v);
+  /// Asks for a function, a record, an enumeration or a constant.
+  void require(const clang::NamedDecl* d);
 
   /// Translates what was required and what that needs in turn, then checks the whole: recursion, overloads that
   /// became one, sizes seen only once.
@@ -68,7 +66,7 @@ class translator {
   void translate_constant(const clang::VarDecl* v);
   bool begin(const clang::NamedDecl* d);
   void end(const clang::NamedDecl* d);
-  void need(const clang::NamedDecl* d, clang::SourceLocation where);
+  std::string use(const clang::NamedDecl* d, clang::SourceLocation where);
   entity& slot(const clang::NamedDecl* d);
   std::string parameters(const clang::FunctionDecl* f);
   void check_alike(const entity& one, const entity& other, clang::SourceLocation where);
@@ -81,12 +79,14 @@ class translator {
 
   // types.cpp
   glsl_type type_of(clang::QualType t, clang::SourceLocation where);
+  std::string element_type(clang::QualType t, clang::SourceLocation where);
   static const clang::Expr* without_conversions(const clang::Expr* e);
   std::string size_expression(const clang::Expr* e);
   std::string scalar_type(clang::QualType t, clang::SourceLocation where);
-  unsigned count_of(clang::QualType array, clang::QualType& element, clang::SourceLocation where);
+  std::string array_value(clang::QualType array, const std::vector<const clang::Expr*>& given,
+                          clang::SourceLocation where);
   std::string zero(clang::QualType t, clang::SourceLocation where);
-  bool is_array(clang::QualType t, clang::QualType& element, std::string& extent, clang::SourceLocation where);
+  bool is_array(clang::QualType t, clang::QualType& element, std::string& extent);
 
   // sizes.cpp
   std::string size_name(const clang::NonTypeTemplateParmDecl* p, clang::SourceLocation where);
@@ -107,6 +107,7 @@ class translator {
   std::string conversion(const clang::CastExpr* c, position at);
   std::string reference(const clang::DeclRefExpr* r);
   std::string member(const clang::MemberExpr* m);
+  std::string listed(const std::vector<const clang::Expr*>& values);
   std::string initializer_list(const clang::InitListExpr* l);
   std::string constant(const clang::Expr* e);
   bool fold(const clang::Expr* e, double& value);
@@ -116,10 +117,13 @@ class translator {
   // calls.cpp
   std::string call(const clang::CallExpr* c, position at);
   std::string operator_call(const clang::CXXOperatorCallExpr* c, position at);
-  std::string library_call(const clang::CallExpr* c, const clang::FunctionDecl* f);
   std::string construct(const clang::CXXConstructExpr* c);
   std::string arguments(const clang::FunctionDecl* f, const std::vector<const clang::Expr*>& args,
                         const clang::Expr* object, const clang::Expr* whole_call, position at);
+
+  // library.cpp
+  std::string library_call(const clang::CallExpr* c, const clang::FunctionDecl* f);
+  std::string bit_cast(const clang::CallExpr* c);
 
   // storage.cpp
   bool storage_expression(const clang::Expr* e, std::string& text, position at);
@@ -149,6 +153,7 @@ class translator {
   std::string comments_before(unsigned offset, unsigned& line);
   std::string comment_beside(clang::SourceLocation end);
   unsigned offset(clang::SourceLocation l) const { return sources_.getFileOffset(sources_.getExpansionLoc(l)); }
+  clang::FileID file(clang::SourceLocation l) const { return sources_.getFileID(sources_.getExpansionLoc(l)); }
   unsigned line(clang::SourceLocation l) const { return sources_.getExpansionLineNumber(l); }
 
   struct comment {
@@ -165,7 +170,7 @@ class translator {
 
   std::map<const clang::Decl*, std::unique_ptr<entity>> entities_;  ///< by the pattern's canonical declaration
   std::set<const clang::Decl*> required_;                           ///< instantiations seen
-  std::deque<std::function<void()>> waiting_;
+  std::deque<const clang::NamedDecl*> waiting_;
   std::map<std::string, std::set<std::string>> sizes_seen_;  ///< arguments of each template with a size
   std::map<std::string, clang::SourceLocation> size_places_;
 

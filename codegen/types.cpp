@@ -39,7 +39,7 @@ bool translator::is_storage_type(QualType t) const {
 }
 
 /// std::array, with the size as it is written: the canonical type knows only one instantiation's number.
-bool translator::is_array(QualType t, QualType& element, std::string& extent, SourceLocation where) {
+bool translator::is_array(QualType t, QualType& element, std::string& extent) {
   for (;;) {
     if (const auto* written = dyn_cast<TemplateSpecializationType>(t.getTypePtr())) {
       if (!written->isTypeAlias() && is_std(written->getTemplateName().getAsTemplateDecl(), "array")) {
@@ -58,7 +58,6 @@ bool translator::is_array(QualType t, QualType& element, std::string& extent, So
   if (!is_std(array, "array")) return false;
   element = array->getTemplateArgs()[0].getAsType();
   extent = llvm::toString(array->getTemplateArgs()[1].getAsIntegral(), 10);
-  (void)where;
   return true;
 }
 
@@ -124,33 +123,26 @@ std::string translator::scalar_type(QualType t, SourceLocation where) {
 
 glsl_type translator::type_of(QualType t, SourceLocation where) {
   t = t.getNonReferenceType().getUnqualifiedType();
-  glsl_type result;
+  std::string extents;
   std::string extent;
-  for (QualType element; is_array(t, element, extent, where); t = element)
-    result.extents += "[" + extent + "]";
-  if (t->isPointerType()) {
-    result.name = reject(where, "pointer");
-    return result;
-  }
-  if (t->isArrayType()) {
-    result.name = reject(where, "C array: use std::array");
-    return result;
-  }
+  for (QualType element; is_array(t, element, extent); t = element)
+    extents += "[" + extent + "]";
+  return {element_type(t, where), extents};
+}
+
+/// The name of a type that is no std::array.
+std::string translator::element_type(QualType t, SourceLocation where) {
+  if (t->isPointerType()) return reject(where, "pointer");
+  if (t->isArrayType()) return reject(where, "C array: use std::array");
   if (const auto* e = t->getAs<EnumType>()) {
-    if (!is_std(e->getDecl(), "memory_order")) {
-      require_enum(e->getDecl());
-      need(e->getDecl(), where);
-      result.name = scalar_type(e->getDecl()->getIntegerType(), where);
-    } else {
-      result.name = "int";
-    }
-    return result;
+    if (is_std(e->getDecl(), "memory_order")) return "int";
+    use(e->getDecl(), where);
+    return scalar_type(e->getDecl()->getIntegerType(), where);
   }
   const auto* record = t->getAsCXXRecordDecl();
   if (record == nullptr) {
-    result.name = t->getAs<BuiltinType>() != nullptr ? scalar_type(t, where)
-                                                     : reject(where, "type " + t.getAsString() + " has no GLSL form");
-    return result;
+    return t->getAs<BuiltinType>() != nullptr ? scalar_type(t, where)
+                                              : reject(where, "type " + t.getAsString() + " has no GLSL form");
   }
   const auto* special = dyn_cast<ClassTemplateSpecializationDecl>(record);
   const std::string name = record->getQualifiedNameAsString();
@@ -158,57 +150,43 @@ glsl_type translator::type_of(QualType t, SourceLocation where) {
     const bool vector = name == "glm::vec";
     const TemplateArgumentList& arguments = special->getTemplateArgs();
     const std::string scalar = scalar_type(arguments[vector ? 1 : 2].getAsType(), where);
-    const std::string prefix = scalar == "float" ? "" : scalar.substr(0, 1);
     const std::string columns = llvm::toString(arguments[0].getAsIntegral(), 10);
-    const std::string rows = vector ? columns : llvm::toString(arguments[1].getAsIntegral(), 10);
-    result.name = vector ? prefix + "vec" + columns : columns == rows ? "mat" + rows : "mat" + columns + "x" + rows;
-    return result;
+    if (vector) return (scalar == "float" ? "" : scalar.substr(0, 1)) + "vec" + columns;
+    const std::string rows = llvm::toString(arguments[1].getAsIntegral(), 10);
+    return "mat" + columns + (columns == rows ? "" : "x" + rows);
   }
-  if (is_storage(record)) {
-    result.name = reject(where, "storage can only be a function's parameter");
-    return result;
-  }
-  if (record->isInStdNamespace() || name.rfind("glm::", 0) == 0) {
-    result.name = reject(where, name + " is not in the subset");
-    return result;
-  }
-  if (record->isLambda()) {
-    result.name = reject(where, "lambda");
-    return result;
-  }
-  require_record(record);
-  need(record, where);
+  if (is_storage(record)) return reject(where, "storage can only be a function's parameter");
+  if (record->isInStdNamespace() || is_glm(record)) return reject(where, name + " is not in the subset");
+  if (record->isLambda()) return reject(where, "lambda");
   bind_sizes(t);
-  result.name = global_name(record);
-  return result;
+  return use(record, where);
 }
 
-/// How many elements a std::array has, 0 if that is for a macro to say.
-unsigned translator::count_of(QualType array, QualType& element, SourceLocation where) {
+/// An array's constructor with every element, those not given 0. Their number must not be for a macro to say.
+std::string translator::array_value(QualType array, const std::vector<const Expr*>& given, SourceLocation where) {
+  array = array.getUnqualifiedType();
+  QualType element;
   std::string extent;
   std::set<std::string> sizes;
-  if (fresh_) fresh_->sizes.swap(sizes);
-  (void)is_array(array, element, extent, where);
-  if (fresh_) fresh_->sizes.swap(sizes);
+  fresh_->sizes.swap(sizes);
+  (void)is_array(array, element, extent);
+  fresh_->sizes.swap(sizes);
+  const std::string type = type_of(array, where).text();
   const auto* known = cast<ClassTemplateSpecializationDecl>(array->getAsCXXRecordDecl());
-  return sizes.empty() ? static_cast<unsigned>(known->getTemplateArgs()[1].getAsIntegral().getZExtValue()) : 0;
+  const std::uint64_t count = known->getTemplateArgs()[1].getAsIntegral().getZExtValue();
+  if (!sizes.empty() || count > given.size() + 16) {
+    return reject(where, "an array of many zeros: declare it without a value and fill it in a loop");
+  }
+  std::string parts = listed(given);
+  for (std::uint64_t i = given.size(); i < count; ++i)
+    parts += (parts.empty() ? "" : ", ") + zero(element, where);
+  return type + "(" + parts + ")";
 }
 
 /// T{} for what has a fixed number of parts.
 std::string translator::zero(QualType t, SourceLocation where) {
   const glsl_type type = type_of(t, where);
-  if (!type.extents.empty()) {
-    QualType element;
-    const unsigned count = count_of(t.getUnqualifiedType(), element, where);
-    if (count == 0 || count > 16) {
-      return reject(where, "an array of many zeros: declare it without a value and fill it in a loop");
-    }
-    const std::string one = zero(element, where);
-    std::string parts = one;
-    for (unsigned i = 1; i < count; ++i)
-      parts += ", " + one;
-    return type.text() + "(" + parts + ")";
-  }
+  if (!type.extents.empty()) return array_value(t, {}, where);
   const auto* record = t->getAsCXXRecordDecl();
   if (record != nullptr && record->getQualifiedNameAsString().rfind("glm::", 0) != 0) {
     std::string parts;

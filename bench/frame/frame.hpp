@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/blends/blend_choice.hpp"
 #include "frame/hair_model.hpp"
 #include "frame/image.hpp"
 #include "frame/order_pass.hpp"
@@ -25,8 +26,10 @@ struct frame_settings {
   order_method order = order_method::k_buffer;
   std::uint32_t k = 16;  ///< one of compiled_k
   shadow_choice shadow;
+  blend_choice blend;
   components shown = components::full;
-  fibre_look look;  ///< how fibres scatter light
+  fibre_look look;               ///< how fibres scatter light
+  float shading_spacing = 8.0F;  ///< pixels between the places of a segment that are shaded, [0, inf]; 0: each fragment
   bool antialias = true;
   std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera
   float opacity = -1.0F;          ///< of all fibres, [0, 1]; negative: the model's own
@@ -42,7 +45,8 @@ struct pass_report {
   std::string name;
   double prepare_seconds;  ///< projection of all points
   order_report order;
-  std::uint64_t bytes;  ///< of the map or picture that it made
+  std::uint64_t bytes;       ///< of the map or picture that it made
+  double shade_seconds = 0;  ///< radiance of fibres and opaque objects, for the camera
 };
 
 struct frame_result {

@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "headers.hpp"
+
+#include "translator.hpp"
+
+#include <clang/Lex/HeaderSearch.h>
+#include <clang/Lex/PreprocessingRecord.h>
+#include <clang/Lex/Preprocessor.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace pelage::codegen {
+
+using namespace clang;
+
+headers::headers(ASTUnit& ast, bool library) : ast_(ast), sources_(ast.getSourceManager()), library_(library) {
+  for (const PreprocessedEntity* entity : *ast.getPreprocessor().getPreprocessingRecord()) {
+    const auto* include = dyn_cast<InclusionDirective>(entity);
+    if (include != nullptr && sources_.isInMainFile(entity->getSourceRange().getBegin())) {
+      named_.insert(include->getFile());
+    }
+  }
+}
+
+unit* headers::unit_of(FileID file) {
+  const FileEntry* entry = sources_.getFileEntryForID(file);
+  const auto [place, fresh] = units_.try_emplace(entry);
+  if (!fresh || entry == nullptr) return place->second.get();
+  const bool main = file == sources_.getMainFileID();
+  if (!main && sources_.isInSystemHeader(sources_.getLocForStartOfFile(file))) return nullptr;
+  const std::string header = main ? std::filesystem::path(ast_.getMainFileName().str()).filename().string()
+                                  : ast_.getPreprocessor().getHeaderSearchInfo().suggestPathToFileForDiagnostics(
+                                        entry, ast_.getMainFileName());
+  if (header.rfind("glm/", 0) == 0) return nullptr;
+  place->second = make_unit(entry, header);
+  return place->second.get();
+}
+
+std::unique_ptr<unit> headers::make_unit(const FileEntry* entry, const std::string& header) const {
+  auto u = std::make_unique<unit>();
+  u->header = header;
+  const bool ours = header.rfind("pelage/", 0) == 0;
+  std::filesystem::path path = ours ? header.substr(7) : header;
+  u->path = path.replace_extension("glsl").string();
+  if (!ours || library_) return u;
+  u->include = "pelage/glsl/" + u->path;
+  u->mirrored = true;
+  const std::string name = entry->tryGetRealPathName().str();
+  std::ifstream in(name.substr(0, name.size() - header.size()) + u->include);
+  u->mirror_text.assign(std::istreambuf_iterator<char>(in), {});
+  // A size's macro is the one whose value a shader may use only once.
+  const std::string mark = "_has_one_value_in_a_shader";
+  for (std::size_t end = 0; (end = u->mirror_text.find(mark, end)) != std::string::npos; end += mark.size()) {
+    const std::size_t begin = u->mirror_text.rfind(' ', end) + 1;
+    u->sizes[u->mirror_text.substr(begin, end - begin)];
+  }
+  return u;
+}
+
+bool headers::is_named(const Decl* d) {
+  const FileID file = sources_.getFileID(sources_.getExpansionLoc(d->getLocation()));
+  if (file == sources_.getMainFileID()) return true;
+  if (named_.count(sources_.getFileEntryForID(file)) == 0) return false;
+  const unit* u = unit_of(file);
+  return u != nullptr && !u->mirrored;
+}
+
+void headers::note_doc(const NamespaceDecl* space) {
+  if (!is_named(space)) return;
+  unit* u = unit_of(sources_.getFileID(sources_.getExpansionLoc(space->getLocation())));
+  const llvm::StringRef text = sources_.getBufferData(sources_.getFileID(space->getBeginLoc()));
+  const std::size_t begin = sources_.getFileOffset(space->getBeginLoc());
+  const llvm::StringRef inside = text.substr(text.find('{', begin) + 1).ltrim();
+  const std::string first = doc_lines_above(inside, inside.find("\n\n") + 1);
+  for (const std::string& doc : {doc_lines_above(text, begin), inside.startswith(first) ? first : std::string()}) {
+    if (u->doc.find(doc) == std::string::npos) u->doc += (u->doc.empty() ? "" : "\n") + doc;
+  }
+}
+
+std::vector<const unit*> headers::written() const {
+  std::vector<const unit*> all;
+  for (const auto& [entry, u] : units_) {
+    if (u && !u->mirrored && !u->entities.empty()) all.push_back(u.get());
+  }
+  return all;
+}
+
+}  // namespace pelage::codegen
