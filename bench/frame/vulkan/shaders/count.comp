@@ -4,14 +4,17 @@
 // invocation a segment; bounded by one atomic add a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PELAGE_FRAME_DRAWS
-#define PELAGE_FRAME_CANDIDATES
-#include "raster.glsl"
-
-void visit(uint pixel) {
-  atomicAdd(counts[pixel], 1u);
-}
+#include "walk.glsl"
 
 void main() {
-  draw_own_segment();
+  const uint number = invocation();
+  if (number >= scene.segment_count) {
+    return;
+  }
+  const uint word = segments[number];
+  pixel_walk w = walk_of(word, place(word & point_mask));
+  ivec2 at;
+  while (next_pixel(w, at)) {
+    atomicAdd(counts[index_of(at)], 1u);
+  }
 }

@@ -4,8 +4,7 @@
 // In: points, limits, slots. Out: slots, pool, links, seen. One invocation a segment; bounded by K loads a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PELAGE_FRAME_DRAWS
-#include "raster.glsl"
+#include "draw.glsl"
 #include "lists.glsl"
 #define SPLIT
 #include "slots.glsl"
@@ -18,5 +17,5 @@ void visit(uint i, uint pixel, touch where) {
 }
 
 void main() {
-  draw_own_segment();
+  draw_segments();
 }

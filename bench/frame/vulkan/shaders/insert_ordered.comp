@@ -5,8 +5,7 @@
 // dependent load a step.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PELAGE_FRAME_DRAWS
-#include "raster.glsl"
+#include "draw.glsl"
 #include "lists.glsl"
 
 void visit(uint i, uint pixel, touch where) {
@@ -17,5 +16,5 @@ void visit(uint i, uint pixel, touch where) {
 }
 
 void main() {
-  draw_own_segment();
+  draw_segments();
 }

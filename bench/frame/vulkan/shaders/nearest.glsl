@@ -8,8 +8,8 @@
 #ifndef PELAGE_FRAME_NEAREST_GLSL
 #define PELAGE_FRAME_NEAREST_GLSL
 #include "scene.glsl"
+#include "subgroup.glsl"
 
-layout(constant_id = 1) const uint lanes = 32u;  ///< of a subgroup, a power of two
 const uint rows = (uint(K) + lanes - 1u) / lanes;
 
 /// Above so many a sort and a merge cost less than insertions.

@@ -4,8 +4,7 @@
 // limits. Out: slots. One invocation a segment; bounded by up to K atomic minima a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PELAGE_FRAME_DRAWS
-#include "raster.glsl"
+#include "draw.glsl"
 #define SPLIT
 #include "slots.glsl"
 
@@ -14,5 +13,5 @@ void visit(uint i, uint pixel, touch where) {
 }
 
 void main() {
-  draw_own_segment();
+  draw_segments();
 }

@@ -4,8 +4,7 @@
 // invocation a segment; bounded by coverage's arithmetic, then by an add on one word and an exchange a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PELAGE_FRAME_DRAWS
-#include "raster.glsl"
+#include "draw.glsl"
 #include "lists.glsl"
 
 void visit(uint i, uint pixel, touch where) {
@@ -13,5 +12,5 @@ void visit(uint i, uint pixel, touch where) {
 }
 
 void main() {
-  draw_own_segment();
+  draw_segments();
 }

@@ -5,8 +5,7 @@
 // by one atomic add and 8 or 16 bytes to a place of its own a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PELAGE_FRAME_DRAWS
-#include "raster.glsl"
+#include "draw.glsl"
 
 #ifdef RECORDS
 #define STORED uvec4
@@ -42,6 +41,6 @@ void visit(uint i, uint pixel, touch where) {
 }
 
 void main() {
-  draw_own_segment();
+  draw_segments();
   store_waiting();
 }

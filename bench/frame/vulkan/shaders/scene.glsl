@@ -27,6 +27,7 @@ struct view_block {
   ivec2 size;
   float cone_base;
   float cone_slope;
+  float reach;  ///< pixels beside a fibre's axis that it may touch: this times its radius in pixels and a half
 };
 
 struct light_block {
