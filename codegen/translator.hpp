@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include <string>
@@ -102,17 +103,22 @@ class translator {
 
   // expressions.cpp
   std::string expression(const clang::Expr* e, position at = position::part);
-  std::string literal(const clang::FloatingLiteral* l);
-  std::string literal(const clang::IntegerLiteral* l, clang::QualType as);
   std::string conversion(const clang::CastExpr* c, position at);
   std::string reference(const clang::DeclRefExpr* r);
   std::string member(const clang::MemberExpr* m);
   std::string listed(const std::vector<const clang::Expr*>& values);
   std::string initializer_list(const clang::InitListExpr* l);
-  std::string constant(const clang::Expr* e);
-  bool fold(const clang::Expr* e, double& value);
   std::string unsupported(const clang::Expr* e);
   std::string reject(clang::SourceLocation where, const std::string& reason);
+
+  // literals.cpp
+  std::string spelling(clang::SourceLocation literal) const;
+  std::string literal(const clang::FloatingLiteral* l);
+  std::string literal(const clang::IntegerLiteral* l, clang::QualType as);
+  std::string suffix(clang::QualType integer) const;
+  std::string constant(const clang::Expr* e);
+  std::optional<double> folded(const clang::Expr* e);
+  std::string rounded(const clang::BinaryOperator* x);
 
   // calls.cpp
   std::string call(const clang::CallExpr* c, position at);
