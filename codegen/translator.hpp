@@ -36,6 +36,11 @@ enum class position { whole, part };
 /// True where a template's integer parameter stands in a statement, which a shader may set otherwise.
 [[nodiscard]] bool has_size(const clang::Stmt* s);
 
+/// True for a parameter or a loop's variable through which something else is written to.
+[[nodiscard]] inline bool writes_to(clang::QualType variable) {
+  return variable->isLValueReferenceType() && !variable.getNonReferenceType().isConstQualified();
+}
+
 /// The /// lines that end right above the line of an offset.
 [[nodiscard]] std::string doc_lines_above(llvm::StringRef text, std::size_t offset);
 
@@ -149,6 +154,7 @@ class translator {
   std::string variables(const clang::DeclStmt* s);
   std::string variable(const clang::VarDecl* v);
   static bool names_constant(const clang::VarDecl* v);
+  void check_name(const std::string& name, bool is_field, clang::SourceLocation where);
   std::string local_name(const clang::ValueDecl* v);
   std::string sequence(clang::Stmt::const_child_range statements, clang::SourceLocation end);
 
