@@ -4575,16 +4575,13 @@ inline constexpr char visibility_layer_position_0[] = R"glsl(// Copyright (c) 20
 /// functions here give positions in [0, layers] that never fall as depth grows, whole exactly at a layer's end, and
 /// the same for a fragment that is put in and for a look-up. NaN gives 0.
 
-precise float pelage_offset_in_widths(float offset, float width) {
-  return width <= 8.50705917e37 ? offset / width : 0.0;
-}
-
+/// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: depth_range::relative, [0, 1].
 precise float pelage_slice_position(float relative, uint slices);
 
 /// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
 /// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
-/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, from 2¹²⁶ on (a GPU divides by no
-/// more) and with NaN all begins at 0.
+/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
+/// divides by no more) at 0.
 float pelage_equal_layer_position(float offset, float width, uint layers);
 
 /// The same with widths that grow linearly: width, 2 width, 3 width, ... [Yuksel & Keyser 2008, §4]
@@ -4599,6 +4596,11 @@ uint pelage_layer_at(float position, uint layers);
 /// x held to [0, high]; NaN gives 0.
 float pelage_held_position(float x, float high) {
   return x > 0.0 ? (x < high ? x : high) : 0.0;
+}
+
+/// How many widths long an offset is.
+precise float pelage_offset_in_widths(float offset, float width) {
+  return width <= 8.50705917e37 ? offset / width : 0.0;
 }
 
 // ---------------------------------------------------------------------------------------------------------

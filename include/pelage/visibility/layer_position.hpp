@@ -11,18 +11,12 @@ namespace pelage {
 /// the same for a fragment that is put in and for a look-up. NaN gives 0.
 
 /// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: depth_range::relative, [0, 1].
-[[nodiscard]]  /// How many widths long an offset is.
-[[nodiscard]] constexpr float
-offset_in_widths(float offset, float width) noexcept {
-  return width <= 8.50705917e37f ? offset / width : 0.0f;
-}
-
-constexpr float slice_position(float relative, std::uint32_t slices) noexcept;
+[[nodiscard]] constexpr float slice_position(float relative, std::uint32_t slices) noexcept;
 
 /// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
 /// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
-/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, from 2¹²⁶ on (a GPU divides by no
-/// more) and with NaN all begins at 0.
+/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
+/// divides by no more) at 0.
 [[nodiscard]] constexpr float equal_layer_position(float offset, float width, std::uint32_t layers) noexcept;
 
 /// The same with widths that grow linearly: width, 2 width, 3 width, ... [Yuksel & Keyser 2008, §4]
@@ -39,6 +33,11 @@ constexpr float slice_position(float relative, std::uint32_t slices) noexcept;
 /// x held to [0, high]; NaN gives 0.
 [[nodiscard]] constexpr float held_position(float x, float high) noexcept {
   return x > 0.0f ? (x < high ? x : high) : 0.0f;
+}
+
+/// How many widths long an offset is.
+[[nodiscard]] constexpr float offset_in_widths(float offset, float width) noexcept {
+  return width <= 8.50705917e37f ? offset / width : 0.0f;
 }
 
 constexpr float slice_position(float relative, std::uint32_t slices) noexcept {
