@@ -139,7 +139,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--segments", c.segments, "of each strand of the built-in model")
       ->excludes(hair)
       ->capture_default_str();
-  app.add_option("--seed", c.seed, "of the built-in model and of follow strands")
+  app.add_option("--seed", c.seed, "of the built-in model, of follow strands and of stochastic blending")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--size", size, "WIDTHxHEIGHT or SIDE, pixels")->capture_default_str();
@@ -153,6 +153,10 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--shadow", c.shadow,
                  "what a light's map keeps: k_buffer, occupancy, opacity:N or deep_opacity:N with N layers, 4 to 256, "
                  "deep:ERR with the greatest error, or exact; --k and --order are k_buffer's")
+      ->capture_default_str();
+  app.add_option("--blend", c.blend,
+                 "how fragments become a pixel: k_buffer, exact, order_weighted, weighted_average, weighted_blended, "
+                 "depth_peeling or stochastic:N with N samples, 1 to 64; --k and --order are k_buffer's")
       ->capture_default_str();
   app.add_option("--components", shown, "what is drawn")
       ->check(CLI::IsMember(names(component_names)))
@@ -185,6 +189,8 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   read_size(size, s);
   s.order = order_names.at(order);
   s.shadow = parse_shadow(c.shadow);
+  s.blend = parse_blend(c.blend);
+  s.blend.seed = static_cast<std::uint32_t>(c.seed ^ (c.seed >> 32U));
   s.shown = component_names.at(shown);
   s.antialias = antialias == "on";
   read_look(look, s.look);

@@ -17,11 +17,12 @@ struct command_line {
   float follow_radius = 0.0F;       ///< length units; 0: 0.6 % of the model's size
   std::uint32_t strands = 50000;    ///< of the built-in model
   std::uint32_t segments = 48;      ///< of each of its strands
-  std::uint64_t seed = 1;           ///< of the built-in model and of follow strands
+  std::uint64_t seed = 1;           ///< of the built-in model, follow strands and stochastic blending
   int threads = 0;                  ///< 0: one a core
   bool on_device = false;           ///< drawn by Vulkan
   std::uint32_t frames = 1;         ///< that a device draws, to be timed
   std::string shadow = "k_buffer";  ///< as parse_shadow() reads it
+  std::string blend = "k_buffer";   ///< as parse_blend() reads it
   std::string out = "out/frame.png";
   std::string report;   ///< a JSON file; empty: none
   std::string compare;  ///< a PNG; empty: none

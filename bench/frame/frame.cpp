@@ -63,7 +63,7 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const raster fragments(fibres, set.eye, settings.antialias);
   camera_film film(fragments, world, settings.shown, settings.antialias);
   const double prepared = seconds_since(pass_start);
-  const order_report report = run_order_pass(fragments, film.limit(), options, film);
+  const order_report report = draw_on(film, settings.blend, fragments, options);
   result.picture = film.picture();
   result.passes.push_back({"camera", prepared, report, result.picture.pixels.size() * sizeof(glm::vec3)});
   result.seconds = seconds_since(start);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/blends/blend_choice.hpp"
 #include "frame/hair_model.hpp"
 #include "frame/image.hpp"
 #include "frame/order_pass.hpp"
@@ -25,6 +26,7 @@ struct frame_settings {
   order_method order = order_method::k_buffer;
   std::uint32_t k = 16;  ///< one of compiled_k
   shadow_choice shadow;
+  blend_choice blend;
   components shown = components::full;
   fibre_look look;  ///< how fibres scatter light
   bool antialias = true;

@@ -58,6 +58,7 @@ nlohmann::json report_of(const command_line& c, const hair_model& model) {
           {"height", c.settings.height},
           {"order", name_of(c.settings.order)},
           {"shadow", c.shadow},
+          {"blend", c.blend},
           {"components", name_of(c.settings.shown)},
           {"bsdf", name_of(c.settings.look.model)},
           {"k", c.settings.k}};

@@ -117,6 +117,13 @@ void camera_film::finish(int x, int y, std::span<const seen_fragment> nearest, c
   picture_.at(x, y) = resolve(pixel, behind_fibres(x, y));
 }
 
+void camera_film::look_at(int x, int y, std::span<const seen_fragment> all, std::vector<layer>& layers) const {
+  const view_ray ray = centre_ray(from_.from(), x, y);
+  layers.clear();
+  for (const seen_fragment& f : all)
+    layers.push_back({fragment_of(f), opacity(f) * visible_coverage(x, y, f.where), radiance(f, ray)});
+}
+
 glm::vec3 camera_film::behind_fibres(int x, int y) const {
   const view& eye = from_.from();
   glm::vec3 sum(0.0F);

@@ -7,6 +7,7 @@
 
 #include "frame/fibre_bsdf.hpp"
 #include "frame/image.hpp"
+#include "frame/layer.hpp"
 #include "frame/lights.hpp"
 #include "frame/opaque_depth.hpp"
 #include "frame/order_pass.hpp"
@@ -70,6 +71,12 @@ class camera_film final : public pixel_visitor {
   void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) override;
   void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override;
 
+  /// For methods that blend in another way than finish(): a pixel's fragments as layers, what is seen behind them, and
+  /// what both come to. May be called for different pixels at once.
+  void look_at(int x, int y, std::span<const seen_fragment> all, std::vector<layer>& layers) const;
+  [[nodiscard]] glm::vec3 behind_fibres(int x, int y) const;
+  void set(int x, int y, const glm::vec3& colour) { picture_.at(x, y) = colour; }
+
   [[nodiscard]] const image& picture() const { return picture_; }
 
  private:
@@ -78,7 +85,6 @@ class camera_film final : public pixel_visitor {
   [[nodiscard]] float visible_coverage(int x, int y, const touch& where) const;
   [[nodiscard]] float opacity(const seen_fragment& f) const;
   [[nodiscard]] glm::vec3 radiance(const seen_fragment& f, const view_ray& ray) const;
-  [[nodiscard]] glm::vec3 behind_fibres(int x, int y) const;
 
   const raster& from_;
   const scene& world_;

@@ -116,6 +116,7 @@ TEST_CASE("the report has every pass with its fragments, longest list, memory an
   CHECK(report["k"] == 4);
   CHECK(report["order"] == "k_buffer");
   CHECK(report["shadow"] == "k_buffer");
+  CHECK(report["blend"] == "k_buffer");
   CHECK(report["components"] == "full");
   CHECK(report["threads"] == 3);
   CHECK(report["seconds"] > 0.0);
@@ -236,6 +237,7 @@ TEST_CASE("an option that cannot be is refused in one line, and nothing is writt
   t.check_refused("--out a.png --order bubble_sort", "--order");
   t.check_refused("--out a.png --shadow opacity:0", "--shadow 'opacity:0': opacity must be followed by :N");
   t.check_refused("--out a.png --shadow deep:nan", "--shadow 'deep:nan'");
+  t.check_refused("--out a.png --blend stochastic:x", "--blend 'stochastic:x': stochastic must be followed by :N");
   t.check_refused("--out a.png --components most", "--components");
   t.check_refused("--out a.png --aa maybe", "--aa");
   t.check_refused("--out a.png --alpha 1.5", "--alpha");

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
+#include <utility>
 
 namespace pelage::test {
 
@@ -102,13 +102,16 @@ void results::put(const glm::vec4& v) {
   put(v.w);
 }
 
-void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,
-             const std::function<void(row, results&)>& reference, const std::vector<column>& columns) {
-  device& gpu = *the_device();
+run_rows run_over(const kernel& k, std::vector<std::uint32_t> given, std::size_t stride, std::size_t width) {
+  run_rows run{given.size() / stride, stride, width, std::move(given), {}};
+  run.got.resize(run.rows * width);
+  std::vector<std::uint32_t>* const buffers[] = {&run.given, &run.got};
+  the_device()->run(k, static_cast<std::uint32_t>(run.rows), buffers);
+  return run;
+}
+
+run_rows run_over(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs, std::size_t width) {
   const std::size_t stride = inputs.size();
-  std::size_t width = 0;
-  for (const column& c : columns)
-    width += c.words;
   const auto rows = static_cast<std::size_t>(*rc::gen::inRange(1, 513));
   std::vector<std::uint32_t> given(rows * stride);
   for (std::size_t i = 0; i < stride; ++i) {
@@ -116,18 +119,35 @@ void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,
     for (std::size_t r = 0; r < rows; ++r)
       given[r * stride + i] = values[r];
   }
-  std::vector<std::uint32_t> got(rows * width);
-  const std::vector<std::uint32_t>* const untouched = &given;
-  std::vector<std::uint32_t>* const buffers[] = {&given, &got};
-  gpu.run(k, static_cast<std::uint32_t>(rows), buffers);
-  for (std::size_t r = 0; r < rows; ++r) {
+  return run_over(k, std::move(given), stride, width);
+}
+
+std::string as_text(row inputs) {
+  std::string text;
+  for (std::size_t i = 0; i < inputs.words.size(); ++i) {
+    char number[48];
+    std::snprintf(number, sizeof number, " %.9g", static_cast<double>(inputs.f(i)));
+    text += number;
+  }
+  return text;
+}
+
+void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,
+             const std::function<void(row, results&)>& reference, const std::vector<column>& columns) {
+  const device& gpu = *the_device();
+  std::size_t width = 0;
+  for (const column& c : columns)
+    width += c.words;
+  const run_rows run = run_over(k, inputs, width);
+  for (std::size_t r = 0; r < run.rows; ++r) {
     results expected;
-    reference(row{std::span(*untouched).subspan(r * stride, stride)}, expected);
+    reference(run.inputs(r), expected);
     RC_ASSERT(expected.words().size() == width);
     std::size_t at = 0;
     for (const column& c : columns) {
       double worst = 0.0;
-      const bool close = within(c, expected.words().data() + at, got.data() + r * width + at, gpu.is_cpu(), worst);
+      const std::uint32_t* got = run.results(r).words.data() + at;
+      const bool close = within(c, expected.words().data() + at, got, gpu.is_cpu(), worst);
       table::line& line = the_table().of(c);
       line.ulps = std::max(line.ulps, worst);
       ++line.rows;
@@ -137,18 +157,12 @@ void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,
         for (std::size_t i = 0; i < c.words; ++i) {
           char text[96];
           const std::uint32_t e = expected.words()[at + i];
-          const std::uint32_t g = got[r * width + at + i];
+          const std::uint32_t g = got[i];
           std::snprintf(text, sizeof text, " %08x (%.9g) got %08x (%.9g)", e,
                         static_cast<double>(std::bit_cast<float>(e)), g, static_cast<double>(std::bit_cast<float>(g)));
           message += text;
         }
-        message += ", given";
-        for (std::size_t i = 0; i < stride; ++i) {
-          char text[48];
-          std::snprintf(text, sizeof text, " %.9g", static_cast<double>(std::bit_cast<float>(given[r * stride + i])));
-          message += text;
-        }
-        RC_FAIL(message);
+        RC_FAIL(message + ", given" + as_text(run.inputs(r)));
       }
       at += c.words;
     }

@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -23,6 +24,9 @@ struct row {
   [[nodiscard]] float f(std::size_t i) const;
   [[nodiscard]] glm::vec3 v3(std::size_t i) const { return {f(i), f(i + 1), f(i + 2)}; }
   [[nodiscard]] glm::vec4 v4(std::size_t i) const { return {f(i), f(i + 1), f(i + 2), f(i + 3)}; }
+  [[nodiscard]] double d(std::size_t i) const { return static_cast<double>(f(i)); }
+  [[nodiscard]] glm::dvec3 d3(std::size_t i) const { return {d(i), d(i + 1), d(i + 2)}; }
+  [[nodiscard]] std::array<double, 3> channels(std::size_t i) const { return {d(i), d(i + 1), d(i + 2)}; }
 };
 
 /// A row of results, filled in the kernel's order.
@@ -39,6 +43,27 @@ class results {
   std::vector<std::uint32_t> words_;
 };
 
+/// Rows of inputs and what a kernel made of them.
+struct run_rows {
+  std::size_t rows;
+  std::size_t stride;                ///< words of inputs in a row
+  std::size_t width;                 ///< words of results in a row
+  std::vector<std::uint32_t> given;  ///< rows * stride
+  std::vector<std::uint32_t> got;    ///< rows * width
+  [[nodiscard]] row inputs(std::size_t r) const { return {std::span(given).subspan(r * stride, stride)}; }
+  [[nodiscard]] row results(std::size_t r) const { return {std::span(got).subspan(r * width, width)}; }
+};
+
+/// Runs a kernel over rows of `stride` words.
+[[nodiscard]] run_rows run_over(const kernel& k, std::vector<std::uint32_t> given, std::size_t stride,
+                                std::size_t width);
+
+/// Runs a kernel over rows of `inputs`, whole columns drawn by rapidcheck.
+[[nodiscard]] run_rows run_over(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs, std::size_t width);
+
+/// A row of inputs as text.
+[[nodiscard]] std::string as_text(row inputs);
+
 /// What one function of a kernel gives, and how far a device may be off.
 struct column {
   const char* function;  ///< as the table names it
@@ -53,7 +78,7 @@ constexpr double bits() {
   return -1.0;
 }
 
-/// Runs a kernel over rows of `inputs`, whole columns drawn by rapidcheck, and compares each column of the results
+/// Runs a kernel as run_over() and compares each column of the results
 /// with what `reference` computes here. Differences in floats are measured in ulps, those of a vector in ulps of its
 /// largest part; NaN equals NaN, and results below the normal range may be flushed to 0.
 void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,

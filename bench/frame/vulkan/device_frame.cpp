@@ -31,6 +31,9 @@ void check(const frame_settings& s) {
   if (s.shadow.method != shadow_method::k_buffer) {
     throw std::runtime_error("--device vulkan: maps are made by --shadow k_buffer");
   }
+  if (s.blend.method != blend_method::k_buffer) {
+    throw std::runtime_error("--device vulkan: pixels are made by --blend k_buffer");
+  }
 }
 
 /// What a method asks for.

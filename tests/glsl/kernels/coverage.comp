@@ -6,6 +6,7 @@
 #define RESULTS 30u
 #include "table.glsl"
 
+#include "pelage/glsl/core/vector_math.glsl"
 #include "pelage/glsl/coverage/closest_points.glsl"
 #include "pelage/glsl/coverage/disc_strip.glsl"
 #include "pelage/glsl/coverage/line_width.glsl"
@@ -34,7 +35,7 @@ void main() {
   put(8u, cylinder.base);
   put(9u, pelage_radius_at(cone, f(14u)));
   put(10u, pelage_reach_at(f(14u), radius, cone, 2.0));
-  put(11u, pelage_any_normal(normalize(direction)));
+  put(11u, pelage_any_normal(pelage_unit_vector(direction)));
   const pelage_segment_quad quad = pelage_expand_segment(start, end, radius, cone, 0.1, 2.0);
   put(14u, quad.visible);
   put(15u, quad.corner[0]);

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/blends/blend_choice.hpp"
+
+#include <pelage/composite/depth_peeling.hpp>
+
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+#include "frame/blends/unordered.hpp"
+#include "frame/compiled_sizes.hpp"
+#include "frame/list_pass.hpp"
+#include "frame/method_text.hpp"
+
+namespace pelage::frame {
+namespace {
+
+order_report draw_in_order(camera_film& film, const raster& from, const order_options& order, order_method method) {
+  order_options options = order;
+  options.method = method;
+  return run_order_pass(from, film.limit(), options, film);
+}
+
+/// `blend(layers, background, x, y)` gives the pixel's colour.
+template <class Blend>
+order_report draw_unordered(camera_film& film, const raster& from, const order_options& order, const Blend& blend) {
+  return run_list_pass(from, film.limit(), order.drawing_order, [&](int x, int y, std::span<seen_fragment> all) {
+    static thread_local std::vector<layer> layers;
+    film.look_at(x, y, all, layers);
+    film.set(x, y, blend(layers, film.behind_fibres(x, y), x, y));
+  });
+}
+
+order_report draw_unordered(camera_film& film, const raster& from, const order_options& order,
+                            glm::vec3 (*blend)(std::span<const layer>, const glm::vec3&)) {
+  return draw_unordered(film, from, order, [&](std::span<const layer> layers, const glm::vec3& background, int, int) {
+    return blend(layers, background);
+  });
+}
+
+order_report draw_stochastic(camera_film& film, const raster& from, const order_options& order,
+                             const blend_choice& choice) {
+  order_report report;
+  const bool compiled = with_compiled_size<compiled_samples>(choice.samples, [&]<std::uint32_t Samples>() {
+    const auto blend = [&](std::span<const layer> layers, const glm::vec3& background, int x, int y) {
+      const auto pixel = static_cast<std::uint32_t>(y * from.from().width + x);
+      return blend_stochastic<Samples>(layers, background, stochastic_stream(choice.seed, pixel));
+    };
+    report = draw_unordered(film, from, order, blend);
+  });
+  if (!compiled) throw std::invalid_argument("the renderer is not compiled for this number of samples");
+  return report;
+}
+
+/// Every layer costs a pass over the pixel's fragments: the square of the longest list in time, nothing in memory.
+order_report draw_by_peeling(camera_film& film, const raster& from, const order_options& order) {
+  return run_list_pass(from, film.limit(), order.drawing_order, [&](int x, int y, std::span<seen_fragment> all) {
+    static thread_local std::vector<seen_fragment> peeled;
+    peeled.clear();
+    depth_peeling peeling = depth_peeling::begin();
+    for (;;) {
+      for (const seen_fragment& f : all)
+        peeling.offer(fragment_of(f));
+      const fragment next = peeling.layer();
+      if (!is_fragment(next)) break;
+      peeled.push_back({next.id, from.at(next.id, x, y)});
+      peeling.advance();
+    }
+    film.finish(x, y, peeled, empty_tail());
+  });
+}
+
+}  // namespace
+
+blend_choice parse_blend(const std::string& text) {
+  static const std::map<std::string, blend_method> plain{{"exact", blend_method::exact},
+                                                         {"k_buffer", blend_method::k_buffer},
+                                                         {"order_weighted", blend_method::order_weighted},
+                                                         {"weighted_average", blend_method::weighted_average},
+                                                         {"weighted_blended", blend_method::weighted_blended},
+                                                         {"depth_peeling", blend_method::depth_peeling}};
+  const method_text given("--blend", text);
+  if (given.word() == "stochastic") return {blend_method::stochastic, given.one_of(compiled_samples, "samples")};
+  const auto found = plain.find(given.word());
+  if (found == plain.end()) {
+    given.fail(
+        "not exact, k_buffer, order_weighted, weighted_average, weighted_blended, depth_peeling or stochastic:N");
+  }
+  given.without_argument();
+  return {found->second};
+}
+
+order_report draw_on(camera_film& film, const blend_choice& choice, const raster& from, const order_options& order) {
+  switch (choice.method) {
+    case blend_method::exact:
+      break;
+    case blend_method::k_buffer:
+      return draw_in_order(film, from, order, order.method);
+    case blend_method::order_weighted:
+      return draw_unordered(film, from, order, blend_order_weighted);
+    case blend_method::weighted_average:
+      return draw_unordered(film, from, order, blend_weighted_average);
+    case blend_method::weighted_blended:
+      return draw_unordered(film, from, order, blend_weighted_blended);
+    case blend_method::depth_peeling:
+      return draw_by_peeling(film, from, order);
+    case blend_method::stochastic:
+      return draw_stochastic(film, from, order, choice);
+  }
+  return draw_in_order(film, from, order, order_method::full_sort);
+}
+
+}  // namespace pelage::frame

@@ -1,0 +1,42 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "frame/order_pass.hpp"
+#include "frame/shading.hpp"
+
+namespace pelage::frame {
+
+/// How the camera's fragments become a pixel.
+enum class blend_method {
+  exact,             ///< all fragments, sorted
+  k_buffer,          ///< the K nearest in order over the mean of the rest
+  order_weighted,    ///< by an order estimated from an occupancy map [Sintorn & Assarsson 2009]
+  weighted_average,  ///< as equal fragments of mean colour and alpha [Bavoil & Myers 2008]
+  weighted_blended,  ///< by a function of depth [McGuire & Bavoil 2013]
+  depth_peeling,     ///< layer after layer, a pass over all fragments for each [Everitt 2001]
+  stochastic         ///< by random samples, alpha-corrected [Enderton et al. 2010]
+};
+
+/// Samples a pixel that the renderer is compiled for.
+inline constexpr std::array<std::uint32_t, 7> compiled_samples{1, 2, 4, 8, 16, 32, 64};
+
+/// A method and its parameters.
+struct blend_choice {
+  blend_method method = blend_method::k_buffer;
+  std::uint32_t samples = 0;  ///< of stochastic, one of compiled_samples
+  std::uint32_t seed = 1;     ///< of stochastic
+};
+
+/// Reads "exact", "k_buffer", "order_weighted", "weighted_average", "weighted_blended", "depth_peeling" or
+/// "stochastic:N"; the seed is another option's. Throws std::invalid_argument with one line that says what is wrong.
+[[nodiscard]] blend_choice parse_blend(const std::string& text);
+
+/// Draws all fragments of a raster, the film's own, on the film. `order` says how k_buffer finds its fragments, and the
+/// order of drawing for all. Throws as run_order_pass() does.
+order_report draw_on(camera_film& film, const blend_choice& choice, const raster& from, const order_options& order);
+
+}  // namespace pelage::frame
