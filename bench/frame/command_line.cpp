@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <vector>
@@ -160,6 +161,10 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--components", shown, "what is drawn")
       ->check(CLI::IsMember(names(component_names)))
+      ->capture_default_str();
+  app.add_option("--shading-spacing", s.shading_spacing,
+                 "pixels between the places of a segment that are shaded; 0: each fragment is")
+      ->check(CLI::Range(0.0F, std::numeric_limits<float>::infinity()))
       ->capture_default_str();
   app.add_option("--aa", antialias, "anti-aliasing, on or off")->check(CLI::IsMember({"on", "off"}));
   app.add_option("--alpha", s.opacity, "opacity of all fibres, [0, 1]; else the model's")->check(CLI::Range(0.0, 1.0));

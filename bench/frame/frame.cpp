@@ -61,11 +61,13 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   progress("camera", static_cast<double>(set.lights.size()) / passes);
   const clock::time_point pass_start = clock::now();
   const raster fragments(fibres, set.eye, settings.antialias);
-  camera_film film(fragments, world, settings.shown, settings.antialias);
   const double prepared = seconds_since(pass_start);
+  const shaded_fibres shades(world, fragments, settings.shading_spacing);
+  camera_film film(fragments, world, shades, settings.shown, settings.antialias);
+  const double shaded = seconds_since(pass_start) - prepared;
   const order_report report = draw_on(film, settings.blend, fragments, options);
   result.picture = film.picture();
-  result.passes.push_back({"camera", prepared, report, result.picture.pixels.size() * sizeof(glm::vec3)});
+  result.passes.push_back({"camera", prepared, report, result.picture.pixels.size() * sizeof(glm::vec3), shaded});
   result.seconds = seconds_since(start);
   progress("done", 1.0);
   return result;

@@ -28,7 +28,8 @@ struct frame_settings {
   shadow_choice shadow;
   blend_choice blend;
   components shown = components::full;
-  fibre_look look;  ///< how fibres scatter light
+  fibre_look look;               ///< how fibres scatter light
+  float shading_spacing = 8.0F;  ///< pixels between the places of a segment that are shaded, [0, inf]; 0: each fragment
   bool antialias = true;
   std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera
   float opacity = -1.0F;          ///< of all fibres, [0, 1]; negative: the model's own
@@ -44,7 +45,8 @@ struct pass_report {
   std::string name;
   double prepare_seconds;  ///< projection of all points
   order_report order;
-  std::uint64_t bytes;  ///< of the map or picture that it made
+  std::uint64_t bytes;       ///< of the map or picture that it made
+  double shade_seconds = 0;  ///< radiance of fibres and opaque objects, for the camera
 };
 
 struct frame_result {

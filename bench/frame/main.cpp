@@ -69,6 +69,7 @@ nlohmann::json report_of(const frame_result& frame) {
   for (const pass_report& p : frame.passes) {
     passes.push_back({{"name", p.name},
                       {"prepare_seconds", p.prepare_seconds},
+                      {"shade_seconds", p.shade_seconds},
                       {"bin_seconds", p.order.bin_seconds},
                       {"build_seconds", p.order.build_seconds},
                       {"resolve_seconds", p.order.resolve_seconds},

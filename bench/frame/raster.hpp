@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/coverage/closest_points.hpp>
+#include <pelage/coverage/coverage_lanes.hpp>
 #include <pelage/coverage/disc_strip.hpp>
-#include <pelage/coverage/segment_quad.hpp>
 
 #include <glm/glm.hpp>
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -43,7 +43,13 @@ class raster {
   void for_each(std::uint32_t segment, const pixel_rect& clip, Visit&& visit) const;
 
   /// The pixels of the view that the segment may touch; empty (x0 >= x1 or y0 >= y1) when there are none.
-  [[nodiscard]] pixel_rect bounds(std::uint32_t segment) const;
+  [[nodiscard]] pixel_rect bounds(std::uint32_t segment) const { return outline_of(segment).box; }
+
+  /// From end to end in pixels; an end nearer than the near plane is taken to lie on it.
+  [[nodiscard]] float length_on_screen(std::uint32_t segment) const {
+    const std::uint32_t i = fibres_.segment[segment];
+    return glm::length(pixel_[i + 1] - pixel_[i]);
+  }
 
   [[nodiscard]] const strands& fibres() const { return fibres_; }
   [[nodiscard]] const view& from() const { return view_; }
@@ -55,16 +61,33 @@ class raster {
   }
 
  private:
-  /// A quad on the screen. `bounded` is false when it reaches past the near plane and may be anywhere.
+  static constexpr int width = lane_width();
+
+  /// The pixels that a segment may touch: those of a box, and in each of its rows those near a slanted line. A
+  /// pixel's centre lies at most `half` beside the line's crossing with its row, (x, y) + n (slope, 1).
   struct outline {
-    std::array<glm::vec2, 4> corner;
-    bool visible, bounded;
+    pixel_rect box;
+    float x, y, slope, half;
   };
   [[nodiscard]] outline outline_of(std::uint32_t segment) const;
+
+  /// The same for segments that reach past the near plane or far beyond the view: a box or the whole view.
+  [[nodiscard]] outline wide_outline_of(std::uint32_t segment) const;
+
+  /// The pixels of the view whose centres lie in a rectangle.
+  [[nodiscard]] pixel_rect centres_in(const glm::vec2& lower, const glm::vec2& upper) const;
+
+  /// The segment's touches in pixels with these centres.
+  struct touches {
+    lanes<width> depth, coverage, along;
+  };
+  [[nodiscard]] static lanes<width> iota();
+  [[nodiscard]] touches at_centres(std::uint32_t segment, lanes<width> x, lanes<width> y) const;
 
   const strands& fibres_;
   const view& view_;
   bool antialias_;
+  float stretch_;                    ///< from gaps beside a ray to distances on the screen
   std::vector<glm::vec3> position_;  ///< per point, view space
   std::vector<glm::vec2> pixel_;     ///< per point, pixel coordinates
   std::vector<glm::vec2> joint_;     ///< per point, the strand's direction on the screen, any length
@@ -72,41 +95,101 @@ class raster {
 
 // ---------------------------------------------------------------------------------------------------------
 
-/// The first pixel of [low, high] whose centre does not lie before x; quads may reach beyond any int.
+/// The first pixel of [low, high] whose centre does not lie before x, which may lie beyond any int.
 [[nodiscard]] inline int first_centre_from(float x, int low, int high) {
   return static_cast<int>(std::ceil(std::clamp(x - 0.5F, static_cast<float>(low), static_cast<float>(high))));
 }
 
 template <class Visit>
 void raster::for_each(std::uint32_t segment, const pixel_rect& clip, Visit&& visit) const {
-  const outline quad = outline_of(segment);
-  if (!quad.visible) return;
-  int y0 = clip.y0;
-  int y1 = clip.y1;
-  if (quad.bounded) {
-    const auto [low, high] = std::minmax({quad.corner[0].y, quad.corner[1].y, quad.corner[2].y, quad.corner[3].y});
-    y0 = first_centre_from(low, clip.y0, clip.y1);
-    y1 = first_centre_from(high, clip.y0, clip.y1);
-  }
+  const outline near = outline_of(segment);
+  const int y0 = std::max(near.box.y0, clip.y0);
+  const int y1 = std::min(near.box.y1, clip.y1);
+  const int x0 = std::max(near.box.x0, clip.x0);
+  const int x1 = std::min(near.box.x1, clip.x1);
+  if (x0 >= x1) return;
+  alignas(64) float x_of[2 * width];
+  alignas(64) float y_of[2 * width];
+  int waiting = 0;
+  const auto visit_first = [&](int count) {
+    const touches found = at_centres(segment, lanes<width>::load(x_of), lanes<width>::load(y_of));
+    float depth[width];
+    float coverage[width];
+    float along[width];
+    found.depth.store(depth);
+    found.coverage.store(coverage);
+    found.along.store(along);
+    std::uint32_t left = bits(found.coverage > lanes<width>(0.0F)) & ((1U << count) - 1U);
+    for (; left != 0; left &= left - 1U) {
+      const int k = std::countr_zero(left);
+      visit(static_cast<int>(x_of[k]), static_cast<int>(y_of[k]), touch{depth[k], coverage[k], along[k]});
+    }
+  };
   for (int y = y0; y < y1; ++y) {
     const float centre = static_cast<float>(y) + 0.5F;
-    float left = quad.bounded ? 1e30F : -1e30F;
-    float right = -left;
-    for (std::size_t k = 0; k < 4 && quad.bounded; ++k) {
-      const glm::vec2& a = quad.corner[k];
-      const glm::vec2& b = quad.corner[(k + 1) % 4];
-      if ((a.y <= centre) == (b.y <= centre)) continue;
-      const float x = a.x + (centre - a.y) / (b.y - a.y) * (b.x - a.x);
-      left = std::min(left, x);
-      right = std::max(right, x);
-    }
-    const int x0 = first_centre_from(left, clip.x0, clip.x1);
-    const int x1 = first_centre_from(right, clip.x0, clip.x1);
-    for (int x = x0; x < x1; ++x) {
-      const touch t = at(segment, x, y);
-      if (t.coverage > 0.0F) visit(x, y, t);
+    const float crossing = near.x + (centre - near.y) * near.slope;
+    const int right = first_centre_from(crossing + near.half, x0, x1);
+    for (int x = first_centre_from(crossing - near.half, x0, x1); x < right; x += width) {
+      (iota() + lanes<width>(static_cast<float>(x) + 0.5F)).store(x_of + waiting);
+      lanes<width>(centre).store(y_of + waiting);
+      waiting += std::min(right - x, width);
+      if (waiting < width) continue;
+      visit_first(width);
+      waiting -= width;
+      lanes<width>::load(x_of + width).store(x_of);
+      lanes<width>::load(y_of + width).store(y_of);
     }
   }
+  if (waiting > 0) visit_first(waiting);
+}
+
+inline lanes<raster::width> raster::iota() {
+  lanes<width> numbers;
+  for (int k = 0; k < width; ++k)
+    numbers.lane[k] = static_cast<float>(k);
+  return numbers;
+}
+
+inline raster::touches raster::at_centres(std::uint32_t segment, lanes<width> x, lanes<width> y) const {
+  using pack = lanes<width>;
+  const std::uint32_t i = fibres_.segment[segment];
+  const auto past = [&](std::uint32_t point) {
+    return (x - pack(pixel_[point].x)) * pack(joint_[point].x) + (y - pack(pixel_[point].y)) * pack(joint_[point].y);
+  };
+  const pack zero(0.0F);
+  const lane_mask<width> behind_start = past(i) < zero;
+  const lane_mask<width> before_end = past(i + 1) < zero;
+  const bool seen_end_on = joint_[i] == glm::vec2(0.0F) && joint_[i + 1] == glm::vec2(0.0F);
+
+  const pack scale(view_.scale);
+  const lane_points<width> across{(x - pack(0.5F * static_cast<float>(view_.width))) / scale,
+                                  (pack(0.5F * static_cast<float>(view_.height)) - y) / scale, zero};
+  const lane_points<width> nowhere{zero, zero, zero};
+  const lane_points<width> origin = view_.perspective ? nowhere : across;
+  const pack ahead(-1.0F);
+  const lane_points<width> direction =
+      view_.perspective ? lane_points<width>{across.x, across.y, ahead} : lane_points<width>{zero, zero, ahead};
+  const glm::vec3& start = position_[i];
+  const glm::vec3& end = position_[i + 1];
+  const closest_lanes<width> pair =
+      closest_points(origin, direction, lane_points<width>{pack(start.x), pack(start.y), pack(start.z)},
+                     lane_points<width>{pack(end.x), pack(end.y), pack(end.z)});
+
+  const pack disc =
+      pack(view_.cone.base) + pack(view_.cone.slope) * select(pair.along_ray > zero, pair.along_ray, zero);
+  const float radius_change = fibres_.radius[i + 1] - fibres_.radius[i];
+  const pack radius = pack(fibres_.radius[i]) + pair.along_segment * pack(radius_change);
+  pack share;
+  if (antialias_) {
+    share = disc_strip_share(pair.distance, radius, disc);
+  } else {
+    share = select(select(radius > disc, radius, disc) < pair.distance, zero, pack(1.0F));
+  }
+  const pack axis_depth = zero - (pack(start.z) + pair.along_segment * pack(end.z - start.z));
+  const pack near_plane(view_.near_plane);
+  share = select(pair.along_ray < near_plane, zero, select(axis_depth < near_plane, zero, share));
+  if (!seen_end_on) share = select(behind_start, zero, select(before_end, share, zero));
+  return {pair.along_ray, share, pair.along_segment};
 }
 
 inline touch raster::at(std::uint32_t segment, int x, int y) const {

@@ -22,6 +22,7 @@ void check(const frame_settings& s) {
   if (s.map_size != 0 && (s.map_size == 1 || !in_range(s.map_size))) {
     throw std::invalid_argument("the map's side must be 0 or in [2, 16384]");
   }
+  if (!(s.shading_spacing >= 0.0F)) throw std::invalid_argument("the shading's spacing must be in [0, inf] pixels");
   if (s.opacity > 1.0F || std::isnan(s.opacity)) throw std::invalid_argument("alpha must be in [0, 1]");
   if (s.from && !(std::isfinite(s.from->x) && std::abs(s.from->y) < 90.0F)) {
     throw std::invalid_argument("the camera's elevation must be in (-90, 90) degrees");

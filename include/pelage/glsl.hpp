@@ -38,7 +38,7 @@ precise float pelage_fast_exp2(float x);
 
 /// xʸ for a base in [0, 1] and an exponent in [0, inf), as a highlight's lobe needs it: 0⁰ is 1, 0ʸ is 0. Relative
 /// error below 2e-7 · (1 + y |log₂ x|) where the result is normal; smaller results are 0. A base that is denormal,
-/// negative or NaN counts as 0.
+/// negative or NaN counts as 0, and so does an exponent that is denormal or negative.
 precise float pelage_power_of_cosine(float x, float y);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -108,7 +108,7 @@ precise float pelage_fast_exp2(float x) {
 }
 
 precise float pelage_power_of_cosine(float x, float y) {
-  if (y == 0.0) {
+  if (y < 1.17549435e-38) {
     return 1.0;
   }
   if (!(x >= 1.17549435e-38)) {
@@ -796,8 +796,8 @@ precise pelage_chiang_fibre pelage_make_chiang_fibre(pelage_chiang_parameters pa
 precise pelage_chiang_view pelage_view_chiang(pelage_chiang_fibre fibre, float h, pelage_fibre_direction eye);
 
 /// The whole model at one pair of directions. Finite for every unit vector, grazing ones and those along the fibre
-/// included. Float stays within 2e-5 of double where β_m and β_n are at least 0.08 and values above 1e-6,
-/// 4e-5 from 0.05 on; 99 values in 100 are within 3e-6.
+/// included. Float stays within 2e-5 of double for η in [1.4, 1.8], β_m and β_n from 0.08 on and values above 1e-6,
+/// within 5e-5 for η from 1.1 and roughnesses from 0.05 on; 99 values in 100 are within 3e-6.
 precise pelage_chiang_result pelage_evaluate_chiang(pelage_chiang_fibre fibre, pelage_chiang_view view,
                                                     pelage_fibre_direction light);
 
@@ -1174,7 +1174,9 @@ struct pelage_dual_averages {
   vec3 backward_variance;  ///< β̄_b²
 };
 
-/// How dense hair is about a fibre: the chance that light finds a next fibre. The paper takes 0.7 for both.
+/// How dense hair is about a fibre: the chance that light finds a next fibre. The paper takes 0.7 for both, and twice
+/// Ā_b d_b of the light from behind. A random walk through layers of parallel fibres sends back 0.8 to 1 of Ā_b, which
+/// is d_b of 0.4 to 0.5.
 struct pelage_dual_density {
   float forward;   ///< d_f, [0, 1]
   float backward;  ///< d_b, [0, 1]
@@ -4578,8 +4580,9 @@ precise float pelage_slice_position(float relative, uint slices);
 
 /// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
 /// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
-/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with inf (or NaN) all in the first.
-precise float pelage_equal_layer_position(float offset, float width, uint layers);
+/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
+/// divides by no more) at 0.
+float pelage_equal_layer_position(float offset, float width, uint layers);
 
 /// The same with widths that grow linearly: width, 2 width, 3 width, ... [Yuksel & Keyser 2008, §4]
 precise float pelage_growing_layer_position(float offset, float width, uint layers);
@@ -4595,6 +4598,11 @@ float pelage_held_position(float x, float high) {
   return x > 0.0 ? (x < high ? x : high) : 0.0;
 }
 
+/// How many widths long an offset is.
+precise float pelage_offset_in_widths(float offset, float width) {
+  return width <= 8.50705917e37 ? offset / width : 0.0;
+}
+
 // ---------------------------------------------------------------------------------------------------------
 
 precise float pelage_slice_position(float relative, uint slices) {
@@ -4602,14 +4610,14 @@ precise float pelage_slice_position(float relative, uint slices) {
   return pelage_held_position(relative * end, end);
 }
 
-precise float pelage_equal_layer_position(float offset, float width, uint layers) {
-  return pelage_held_position(offset / width, float(layers));
+float pelage_equal_layer_position(float offset, float width, uint layers) {
+  return pelage_held_position(pelage_offset_in_widths(offset, width), float(layers));
 }
 
 precise float pelage_growing_layer_position(float offset, float width, uint layers) {
   const float end = float(layers);
   // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is held to 0.
-  const float widths = pelage_held_position(offset / width, 0.5 * end * (end + 1.0));
+  const float widths = pelage_held_position(pelage_offset_in_widths(offset, width), 0.5 * end * (end + 1.0));
   const float layer = floor(0.5 * (sqrt(8.0 * widths + 1.0) - 1.0));
   const float inside = (widths - 0.5 * layer * (layer + 1.0)) / (layer + 1.0);
   return pelage_held_position(layer + pelage_held_position(inside, 1.0), end);
@@ -4871,8 +4879,8 @@ precise float pelage_depth_range_relative(pelage_depth_range self, float depth) 
   if (depth >= to) {
     return 1.0;
   }
-  // Halves, so that a range from one end of float to the other has a finite length.
-  return pelage_saturate((0.5 * depth - 0.5 * from) / (0.5 * to - 0.5 * from));
+  // Eighths, so that a range from one end of float to the other has a length below 2^126: a GPU divides by no more.
+  return pelage_saturate((0.125 * depth - 0.125 * from) / (0.125 * to - 0.125 * from));
 }
 
 void pelage_extend_depth_range(uint texel, float depth) {

@@ -71,3 +71,30 @@ TEST_CASE("a number fills every lane") {
     CHECK(lane == 2.5f);
   }
 }
+
+namespace {
+
+/// True if a mask read as a number has just the bits of the lanes whose condition holds.
+template <int W>
+bool bits_tell_lanes() {
+  std::mt19937 generator(static_cast<std::uint32_t>(W));
+  for (int round = 0; round < 200; ++round) {
+    const std::uint32_t wanted = static_cast<std::uint32_t>(generator()) & all_bits<W>();
+    std::array<float, W> a;
+    for (std::uint32_t k = 0; k < W; ++k) {
+      a[k] = (wanted >> k & 1u) != 0u ? -1.0f : 1.0f;
+    }
+    if (bits(lanes<W>::load(a.data()) < lanes<W>(0.0f)) != wanted) {
+      return false;
+    }
+  }
+  return bits(lanes<W>(1.0f) < lanes<W>(2.0f)) == all_bits<W>();
+}
+
+}  // namespace
+
+TEST_CASE("a mask's bits are the lanes for which it holds") {
+  CHECK(bits_tell_lanes<4>());
+  CHECK(bits_tell_lanes<8>());
+  CHECK(bits_tell_lanes<16>());
+}

@@ -105,6 +105,7 @@ TEST_CASE("power_of_cosine counts a base without a logarithm as 0, and 0 to the 
     CHECK(power_of_cosine(base, 2.0f) == 0.0f);
     CHECK(power_of_cosine(base, 1e-3f) == 0.0f);
     CHECK(power_of_cosine(base, 0.0f) == 1.0f);
+    CHECK(power_of_cosine(base, denormal) == 1.0f);
   }
   CHECK(power_of_cosine(1.0f, 1e30f) == 1.0f);
 }

@@ -44,7 +44,7 @@ chiang_view<double> view_of(row in) {
 
 }  // namespace
 
-TEST_CASE("Chiang's model is within 4e-5 of double on every device") {
+TEST_CASE("Chiang's model is within 5e-5 of double on every device") {
   std::vector<words> inputs = seen_fibres(between(0.08F, 1.0F));
   const words part = between(-1.0F, 1.0F);
   inputs.insert(inputs.end(), {part, part, apart_from_zero(0.1F)});
@@ -60,11 +60,11 @@ TEST_CASE("Chiang's model is within 4e-5 of double on every device") {
                           out.put(whole.f);
                           out.put(whole.density);
                         },
-                        {{"evaluate_chiang", 3, 4e-5, 1e-6},
-                         {"evaluate_chiang density", 1, 4e-5, 1e-6},
-                         {"chiang_density", 1, 4e-5, 1e-6},
-                         {"evaluate_chiang_bsdf", 3, 4e-5, 1e-5},
-                         {"evaluate_chiang_bsdf density", 1, 4e-5, 1e-6}});
+                        {{"evaluate_chiang", 3, 5e-5, 1e-6},
+                         {"evaluate_chiang density", 1, 5e-5, 1e-6},
+                         {"chiang_density", 1, 5e-5, 1e-6},
+                         {"evaluate_chiang_bsdf", 3, 5e-5, 1e-5},
+                         {"evaluate_chiang_bsdf density", 1, 5e-5, 1e-6}});
   });
 }
 
@@ -90,13 +90,13 @@ TEST_CASE("Directions drawn on a device are unit vectors, from a lobe by its wei
                           out.put(static_cast<double>(lobe));
                         },
                         {{"sample_chiang direction", 3, 0.0},
-                         {"sample_chiang", 3, 4e-5, 1e-6},
-                         {"sample_chiang density", 1, 4e-5, 1e-6},
+                         {"sample_chiang", 3, 5e-5, 1e-6},
+                         {"sample_chiang density", 1, 5e-5, 1e-6},
                          {"sample_chiang lobe", 1, 0.0}});
   });
 }
 
-TEST_CASE("Averages over a fibre's width are within 4e-5 of double on every device") {
+TEST_CASE("Averages over a fibre's width are within 5e-5 of double on every device") {
   std::vector<words> inputs = seen_fibres(between(0.08F, 1.0F));
   inputs.insert(inputs.end(), 3, between(-1.0F, 1.0F));
   holds("chiang far", [&] {
@@ -109,10 +109,10 @@ TEST_CASE("Averages over a fibre's width are within 4e-5 of double on every devi
                           out.put(axial_passage(in.d(0), in.channels(1), in.d(8)));
                           out.put(mean_passage<4>(in.d(0), in.channels(1), in.d(8)));
                         },
-                        {{"evaluate_chiang_far", 3, 4e-5, 1e-6},
-                         {"evaluate_chiang_far density", 1, 4e-5, 1e-6},
-                         {"axial_passage", 3, 4e-5, 1e-6},
-                         {"mean_passage", 3, 4e-5, 1e-6}});
+                        {{"evaluate_chiang_far", 3, 5e-5, 1e-6},
+                         {"evaluate_chiang_far density", 1, 5e-5, 1e-6},
+                         {"axial_passage", 3, 5e-5, 1e-6},
+                         {"mean_passage", 3, 5e-5, 1e-6}});
   });
 }
 

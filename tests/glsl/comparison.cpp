@@ -211,4 +211,8 @@ rc::Gen<std::uint32_t> any_float() {
        {2, magnitude(-20, 20)}});
 }
 
+rc::Gen<std::uint32_t> any_normal_float() {
+  return rc::gen::map(any_float(), [](std::uint32_t w) { return (w & 0x7f800000U) == 0U ? w & 0x80000000U : w; });
+}
+
 }  // namespace pelage::test

@@ -87,6 +87,9 @@ void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,
 /// Any float at all: special values, any bits, and ordinary numbers.
 [[nodiscard]] rc::Gen<std::uint32_t> any_float();
 
+/// The same without denormals, which a device may take for 0.
+[[nodiscard]] rc::Gen<std::uint32_t> any_normal_float();
+
 /// Floats in [low, high], evenly.
 [[nodiscard]] rc::Gen<std::uint32_t> between(float low, float high);
 

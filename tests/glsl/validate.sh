@@ -7,6 +7,8 @@ set -euo pipefail
 include=$(cd "$1" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+# glslang 12 can follow `precise` without end where a loop's struct comes from a call over its own parts.
+ulimit -v $((4 << 20))
 
 mapfile -t files < <(cd "$include" && find pelage/glsl -name '*.glsl' | sort)
 ((${#files[@]})) || { echo "no mirror under $include" >&2; exit 1; }

@@ -4,6 +4,7 @@
 #include <pelage/core/elementary.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <type_traits>
 
 #if defined(__SSE__)
@@ -60,6 +61,16 @@ struct lane_mask {
 
 template <int W>
 struct is_packed<lanes<W>> : std::true_type {};
+
+/// A mask as a number: bit k is set where the comparison holds for lane k.
+template <int W>
+[[nodiscard, gnu::always_inline]] inline std::uint32_t bits(lane_mask<W> mask) noexcept;
+
+/// The same number where it holds for all.
+template <int W>
+[[nodiscard]] constexpr std::uint32_t all_bits() noexcept {
+  return (1u << W) - 1u;
+}
 
 /// The widest vector of this build, in floats.
 [[nodiscard]] constexpr int lane_width() noexcept;
@@ -139,6 +150,30 @@ lane_mask<W> operator<(lanes<W> a, lanes<W> b) noexcept {
 template <int W>
 lane_mask<W> operator>(lanes<W> a, lanes<W> b) noexcept {
   return lane_mask<W>{a.lane > b.lane};
+}
+
+template <int W>
+std::uint32_t bits(lane_mask<W> mask) noexcept {
+#if defined(__AVX512F__)
+  if constexpr (W == 16) {
+    return static_cast<std::uint32_t>(_mm512_cmplt_epi32_mask(__m512i(mask.lane), __m512i{}));
+  }
+#endif
+#if defined(__AVX__)
+  if constexpr (W == 8) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(mask.lane)));
+  }
+#endif
+#if defined(__SSE__)
+  if constexpr (W == 4) {
+    return static_cast<std::uint32_t>(_mm_movemask_ps(__m128(mask.lane)));
+  }
+#endif
+  std::uint32_t set = 0u;
+  for (int k = 0; k < W; ++k) {
+    set |= mask.lane[k] != 0 ? 1u << k : 0u;
+  }
+  return set;
 }
 
 template <int W>

@@ -31,7 +31,7 @@ template <std::floating_point Real>
 
 /// xʸ for a base in [0, 1] and an exponent in [0, inf), as a highlight's lobe needs it: 0⁰ is 1, 0ʸ is 0. Relative
 /// error below 2e-7 · (1 + y |log₂ x|) where the result is normal; smaller results are 0. A base that is denormal,
-/// negative or NaN counts as 0.
+/// negative or NaN counts as 0, and so does an exponent that is denormal or negative.
 [[nodiscard]] constexpr float power_of_cosine(float x, float y) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
@@ -104,7 +104,7 @@ constexpr float fast_exp2(float x) noexcept {
 }
 
 constexpr float power_of_cosine(float x, float y) noexcept {
-  if (y == 0.0f) {
+  if (y < 1.17549435e-38f) {
     return 1.0f;
   }
   if (!(x >= 1.17549435e-38f)) {

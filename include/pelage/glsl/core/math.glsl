@@ -23,7 +23,7 @@ precise float pelage_fast_exp2(float x);
 
 /// xʸ for a base in [0, 1] and an exponent in [0, inf), as a highlight's lobe needs it: 0⁰ is 1, 0ʸ is 0. Relative
 /// error below 2e-7 · (1 + y |log₂ x|) where the result is normal; smaller results are 0. A base that is denormal,
-/// negative or NaN counts as 0.
+/// negative or NaN counts as 0, and so does an exponent that is denormal or negative.
 precise float pelage_power_of_cosine(float x, float y);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -93,7 +93,7 @@ precise float pelage_fast_exp2(float x) {
 }
 
 precise float pelage_power_of_cosine(float x, float y) {
-  if (y == 0.0) {
+  if (y < 1.17549435e-38) {
     return 1.0;
   }
   if (!(x >= 1.17549435e-38)) {

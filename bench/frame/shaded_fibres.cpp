@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/shaded_fibres.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pelage::frame {
+namespace {
+
+constexpr std::uint32_t most_intervals = 64;
+
+}  // namespace
+
+shaded_fibres::shaded_fibres(const scene& world, const raster& from, float spacing) : world_(world), from_(from) {
+  if (spacing == 0.0F) return;
+  const strands& fibres = from_.fibres();
+  const std::uint32_t segments = fibres.segment_count();
+  first_.assign(fibres.point.size() + 1, 1);
+  first_.back() = 0;
+  tbb::parallel_for(0U, segments, [&](std::uint32_t s) { first_[fibres.segment[s]] = intervals(s, spacing); });
+  std::uint32_t next = 0;
+  for (std::uint32_t& first : first_)
+    next += std::exchange(first, next);
+  place_.resize(next);
+  tbb::parallel_for(0U, segments, [&](std::uint32_t s) {
+    const std::uint32_t point = fibres.segment[s];
+    const std::uint32_t first = first_[point];
+    const std::uint32_t count = first_[point + 1] - first;
+    for (std::uint32_t i = 0; i < count; ++i)
+      place_[first + i] = evaluate(s, static_cast<float>(i) / static_cast<float>(count));
+    if ((fibres.end_of[point + 1] & strands::last) != 0) place_[first + count] = evaluate(s, 1.0F);
+  });
+}
+
+std::uint32_t shaded_fibres::intervals(std::uint32_t segment, float spacing) const {
+  const pixel_rect seen = from_.bounds(segment);
+  if (seen.x0 >= seen.x1 || seen.y0 >= seen.y1) return 1;
+  const float count = std::ceil(from_.length_on_screen(segment) / spacing);
+  return count > 1.0F ? static_cast<std::uint32_t>(std::min(count, static_cast<float>(most_intervals))) : 1;
+}
+
+glm::vec3 shaded_fibres::evaluate(std::uint32_t segment, float along) const {
+  const view& eye = from_.from();
+  const glm::vec3 way = eye.eye - world_.fibres.mix(world_.fibres.point, segment, along);
+  const float length2 = glm::dot(way, way);
+  const bool has_direction = eye.perspective && length2 > 0.0F;
+  const glm::vec3 to_eye =
+      has_direction ? way / std::sqrt(length2) : eye.direction_to_world(glm::vec3(0.0F, 0.0F, 1.0F));
+  return world_.fibre_radiance(segment, along, to_eye);
+}
+
+glm::vec3 shaded_fibres::at(std::uint32_t segment, float along) const {
+  if (first_.empty()) return evaluate(segment, along);
+  const std::uint32_t point = from_.fibres().segment[segment];
+  const std::uint32_t first = first_[point];
+  const std::uint32_t count = first_[point + 1] - first;
+  const float position = along * static_cast<float>(count);
+  const std::uint32_t before = std::min(static_cast<std::uint32_t>(position), count - 1);
+  return glm::mix(place_[first + before], place_[first + before + 1], position - static_cast<float>(before));
+}
+
+std::size_t shaded_fibres::bytes() const {
+  return first_.capacity() * sizeof(std::uint32_t) + place_.capacity() * sizeof(glm::vec3);
+}
+
+}  // namespace pelage::frame

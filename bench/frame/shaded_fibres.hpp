@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glm/glm.hpp>
+#include <cstdint>
+#include <vector>
+
+#include "frame/raster.hpp"
+#include "frame/scene.hpp"
+
+namespace pelage::frame {
+
+/// The radiance of all fibres toward one eye. Shading is evaluated at the ends of each segment and at places between
+/// them, evenly spaced along it and at most a given number of pixels apart on the screen; elsewhere it is mixed from
+/// the two places beside. So its cost depends on the fibres' length on the screen, not on how many fragments they
+/// leave, and the result not on the order in which those are met.
+class shaded_fibres {
+ public:
+  /// `spacing`: pixels, (0, inf]; 0: nothing is mixed, each question is answered by itself. A segment has at most 64
+  /// intervals, one that leaves no fragments a single one. Both references must outlive this. O(points), parallel.
+  shaded_fibres(const scene& world, const raster& from, float spacing);
+
+  /// Linear RGB at a place on a segment.
+  [[nodiscard]] glm::vec3 at(std::uint32_t segment, float along) const;
+
+  /// Evaluations that the constructor made.
+  [[nodiscard]] std::size_t evaluations() const { return place_.size(); }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  [[nodiscard]] std::uint32_t intervals(std::uint32_t segment, float spacing) const;
+  [[nodiscard]] glm::vec3 evaluate(std::uint32_t segment, float along) const;
+
+  const scene& world_;
+  const raster& from_;
+  std::vector<std::uint32_t> first_;  ///< per point, its place; those between it and the next point follow
+  std::vector<glm::vec3> place_;      ///< radiance
+};
+
+}  // namespace pelage::frame
