@@ -156,7 +156,8 @@ float pelage_greatest(float a, float b);
 /// eˣ - 1 for |x| ≤ 0.35, relative error below 1.5e-7 in float. Outside: garbage in float.
 precise float pelage_small_exponential(float x);
 
-/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN.
+/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN, in a shader NaN or
+/// +inf.
 precise float pelage_exponential(float x);
 
 /// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is.
@@ -435,7 +436,7 @@ inline constexpr char bsdf_hair_parameters_0[] = R"glsl(// Copyright (c) 2026 Th
 inline constexpr char bsdf_hair_parameters_1[] = R"glsl()glsl";
 inline constexpr char bsdf_hair_parameters_2[] = R"glsl(
 /// Pigment in a fibre, as concentrations that multiply the absorption of human hair per radius; both [0, inf).
-/// Eumelanin browns (0.3 blond, 1.3 brown, 8 black), pheomelanin reddens.
+/// Eumelanin browns (0.1 light blond, 0.3 dark blond, 1.3 dark brown, 8 black), pheomelanin reddens.
 struct pelage_melanin {
   float eumelanin;
   float pheomelanin;
@@ -447,7 +448,8 @@ const int pelage_hair_colour_red = 1;
 const int pelage_hair_colour_brown = 2;
 const int pelage_hair_colour_black = 3;
 
-/// The pigment of a colour.
+/// The pigment of a colour: a mass of blond hair has an albedo of about 0.28, 0.19, 0.09, of red 0.09, 0.03, 0.004,
+/// of brown 0.05, 0.02, 0.004 and of black none, so that it shows its highlight only.
 pelage_melanin pelage_melanin_of(int colour);
 
 /// σ_a for red, green, blue per fibre radius, linear in both concentrations. [d'Eon 2011 §6.1; constants of Chiang
@@ -489,13 +491,13 @@ precise float pelage_albedo_fit(float beta_n) {
 
 pelage_melanin pelage_melanin_of(int colour) {
   if (colour == pelage_hair_colour_blond) {
-    return pelage_melanin(0.3, 0.05);
+    return pelage_melanin(0.1, 0.03);
   }
   if (colour == pelage_hair_colour_red) {
-    return pelage_melanin(0.1, 0.7);
+    return pelage_melanin(0.05, 0.8);
   }
   if (colour == pelage_hair_colour_brown) {
-    return pelage_melanin(1.3, 0.1);
+    return pelage_melanin(0.6, 0.06);
   }
   return pelage_melanin(8.0, 0.0);
 }
@@ -567,7 +569,8 @@ struct pelage_interface_shares {
 };
 
 /// The shares of a surface met at `cos_theta` in [0, 1], `eta` the index behind over the index before, (0, inf).
-/// cos_theta = 0 and total reflection give (1, 0). Relative error of each below 1e-6 in float.
+/// cos_theta = 0 and total reflection give (1, 0). Relative error of each below 1e-6 in float for eta ≥ 1.1; nearer to
+/// 1 that of F grows as 1/(eta - 1).
 precise pelage_interface_shares pelage_dielectric_interface(float cos_theta, float eta);
 
 /// The same with Bravais indices: light in a plane inclined to a cylinder's section refracts in the section as if
@@ -758,7 +761,7 @@ struct pelage_chiang_parameters {
   float sigma_a[3];  ///< absorption per fibre radius, [0, inf]
   float beta_m;      ///< roughness along, [0, 1]; 0 is a very narrow lobe, not a mirror
   float beta_n;      ///< roughness round, [0, 1]; likewise
-  float tilt;        ///< α of the cuticle's scales in radians, either sign; hair about 0.035 (2°)
+  float tilt;        ///< α in radians, turns R towards +x; hair, whose scales rise to the tip: -0.035 (2°)
 };
 
 /// A fibre ready for use: parameters in the form that the lobes want. `tints` and `variances` may be changed after
@@ -1831,7 +1834,7 @@ struct pelage_caustic_treatment {
 struct pelage_marschner_parameters {
   float eta;           ///< index of refraction, [1, inf); hair 1.55
   float sigma_a[3];    ///< absorption per fibre radius, [0, inf)
-  float alpha;         ///< shift of R by the tilted cuticle, hair -0.17 to -0.09; TT has -α/2, TRT -3α/2
+  float alpha;         ///< shift of R in θ_h, + to the tip, hair -0.17 to -0.09; TT has -α/2, TRT -3α/2
   float beta;          ///< standard deviation of R along the fibre, (0, inf); TT has β/2, TRT 2β
   float eccentricity;  ///< ratio of the section's axes, 1 round, hair 0.85 to 1; bends TRT only
   pelage_caustic_treatment caustic;
@@ -4579,8 +4582,9 @@ precise float pelage_slice_position(float relative, uint slices);
 
 /// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
 /// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
-/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with inf (or NaN) all in the first.
-precise float pelage_equal_layer_position(float offset, float width, uint layers);
+/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
+/// divides by no more) at 0.
+float pelage_equal_layer_position(float offset, float width, uint layers);
 
 /// The same with widths that grow linearly: width, 2 width, 3 width, ... [Yuksel & Keyser 2008, §4]
 precise float pelage_growing_layer_position(float offset, float width, uint layers);
@@ -4596,6 +4600,11 @@ float pelage_held_position(float x, float high) {
   return x > 0.0 ? (x < high ? x : high) : 0.0;
 }
 
+/// How many widths long an offset is.
+precise float pelage_offset_in_widths(float offset, float width) {
+  return width <= 8.50705917e37 ? offset / width : 0.0;
+}
+
 // ---------------------------------------------------------------------------------------------------------
 
 precise float pelage_slice_position(float relative, uint slices) {
@@ -4603,14 +4612,14 @@ precise float pelage_slice_position(float relative, uint slices) {
   return pelage_held_position(relative * end, end);
 }
 
-precise float pelage_equal_layer_position(float offset, float width, uint layers) {
-  return pelage_held_position(offset / width, float(layers));
+float pelage_equal_layer_position(float offset, float width, uint layers) {
+  return pelage_held_position(pelage_offset_in_widths(offset, width), float(layers));
 }
 
 precise float pelage_growing_layer_position(float offset, float width, uint layers) {
   const float end = float(layers);
   // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is held to 0.
-  const float widths = pelage_held_position(offset / width, 0.5 * end * (end + 1.0));
+  const float widths = pelage_held_position(pelage_offset_in_widths(offset, width), 0.5 * end * (end + 1.0));
   const float layer = floor(0.5 * (sqrt(8.0 * widths + 1.0) - 1.0));
   const float inside = (widths - 0.5 * layer * (layer + 1.0)) / (layer + 1.0);
   return pelage_held_position(layer + pelage_held_position(inside, 1.0), end);
@@ -4872,8 +4881,8 @@ precise float pelage_depth_range_relative(pelage_depth_range self, float depth) 
   if (depth >= to) {
     return 1.0;
   }
-  // Halves, so that a range from one end of float to the other has a finite length.
-  return pelage_saturate((0.5 * depth - 0.5 * from) / (0.5 * to - 0.5 * from));
+  // Eighths, so that a range from one end of float to the other has a length below 2^126: a GPU divides by no more.
+  return pelage_saturate((0.125 * depth - 0.125 * from) / (0.125 * to - 0.125 * from));
 }
 
 void pelage_extend_depth_range(uint texel, float depth) {

@@ -68,7 +68,7 @@ TEST_CASE("A device's picture is the processor's but for where between a strand'
       const std::optional<device_frame> got = draw(settings);
       if (!got) return;
       const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
-      CHECK(compare(got->picture, expected.picture).rms < 0.01);
+      CHECK(compare(got->picture, expected.picture).rms < 0.001);
       CHECK(got->views.size() == expected.passes.size());
       for (std::size_t v = 0; v < got->views.size(); ++v) {
         const auto fragments = static_cast<double>(expected.passes[v].order.fragments);

@@ -85,6 +85,8 @@ TEST_CASE("what has no place gets one") {
   CHECK(equal_layer_position(1e-30f, 0.0f, 4u) == 4.0f);
   CHECK(growing_layer_position(1e-30f, 0.0f, 4u) == 4.0f);
   CHECK(equal_layer_position(1e30f, inf, 4u) == 0.0f);
+  CHECK(equal_layer_position(1e38f, 1e38f, 4u) == 0.0f);
+  CHECK(equal_layer_position(8e37f, 8e37f, 4u) == 1.0f);
   CHECK(layer_at(4.0f, 4u) == 3u);
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace pelage::frame::vulkan {
@@ -36,22 +35,48 @@ std::uint32_t z_order(const glm::vec3& p, const glm::vec3& lower, const glm::vec
   return spread(cell.x) | spread(cell.y) << 1U | spread(cell.z) << 2U;
 }
 
-std::vector<std::uint32_t> order_by_root(const strands& fibres) {
+/// The segments of a strand, [first, end), and where it grows.
+struct strand_range {
+  std::uint32_t key, first, end;
+};
+
+std::vector<strand_range> strands_by_root(const strands& fibres) {
   glm::vec3 lower(std::numeric_limits<float>::infinity());
   glm::vec3 upper(-std::numeric_limits<float>::infinity());
   for (const glm::vec3& p : fibres.point) {
     lower = glm::min(lower, p);
     upper = glm::max(upper, p);
   }
-  std::vector<std::uint32_t> key(fibres.segment_count());
-  for (std::uint32_t s = 0; s < key.size(); ++s) {
+  std::vector<strand_range> all;
+  for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
     const std::uint32_t i = fibres.segment[s];
-    const bool root = (fibres.end_of[i] & strands::first) != 0;
-    key[s] = root ? z_order(fibres.point[i], lower, upper - lower) : key[s - 1];
+    if ((fibres.end_of[i] & strands::first) != 0) all.push_back({z_order(fibres.point[i], lower, upper - lower), s, s});
+    all.back().end = s + 1;
   }
-  std::vector<std::uint32_t> order(key.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
+  return all;
+}
+
+/// Neighbouring strands side by side, a few segments of each at a time: the invocations of a subgroup draw to the same
+/// few pixels, and what they load and store lies together.
+std::vector<std::uint32_t> drawn_together(const strands& fibres) {
+  const std::size_t side_by_side = 32;
+  const std::uint32_t at_a_time = 4;
+  const std::vector<strand_range> all = strands_by_root(fibres);
+  std::vector<std::uint32_t> order;
+  order.reserve(fibres.segment_count());
+  for (std::size_t group = 0; group < all.size(); group += side_by_side) {
+    const auto some = std::span(all).subspan(group, std::min(side_by_side, all.size() - group));
+    std::uint32_t longest = 0;
+    for (const strand_range& s : some)
+      longest = std::max(longest, s.end - s.first);
+    for (std::uint32_t from = 0; from < longest; from += at_a_time) {
+      for (const strand_range& s : some) {
+        for (std::uint32_t i = s.first + from; i < std::min(s.end, s.first + from + at_a_time); ++i)
+          order.push_back(i);
+      }
+    }
+  }
   return order;
 }
 
@@ -63,20 +88,21 @@ void upload_fibres(device& to, const strands& fibres, std::span<const std::uint3
   std::vector<glm::vec4> points(count);
   for (std::size_t i = 0; i < count; ++i)
     points[i] = glm::vec4(fibres.point[i], fibres.radius[i]);
-  std::vector<std::uint32_t> segments = fibres.segment;
-  for (std::uint32_t& s : segments) {
-    const std::uint32_t i = s;
-    if ((fibres.end_of[i] & strands::first) != 0) s |= begins_strand;
-    if ((fibres.end_of[i + 1] & strands::last) != 0) s |= ends_strand;
+  const std::vector<std::uint32_t> together =
+      drawing_order.empty() ? drawn_together(fibres) : std::vector<std::uint32_t>();
+  const std::span<const std::uint32_t> order = drawing_order.empty() ? std::span(together) : drawing_order;
+  std::vector<std::uint32_t> segments(order.size());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const std::uint32_t i = fibres.segment[order[s]];
+    segments[s] = i;
+    if ((fibres.end_of[i] & strands::first) != 0) segments[s] |= begins_strand;
+    if ((fibres.end_of[i + 1] & strands::last) != 0) segments[s] |= ends_strand;
   }
   upload_all(to, point_buffer, points);
   upload_all(to, tangent_buffer, fibres.tangent);
   upload_all(to, colour_buffer, fibres.colour);
   upload_all(to, opacity_buffer, fibres.opacity);
   upload_all(to, segment_buffer, segments);
-  upload_all(to, drawing_buffer,
-             drawing_order.empty() ? order_by_root(fibres)
-                                   : std::vector<std::uint32_t>(drawing_order.begin(), drawing_order.end()));
 }
 
 }  // namespace pelage::frame::vulkan

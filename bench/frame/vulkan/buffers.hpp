@@ -16,7 +16,7 @@ enum binding : std::uint32_t {
   colour_buffer,
   opacity_buffer,
   segment_buffer,
-  drawing_buffer,
+  record_buffer,
   limit_buffer,
   sample_buffer,
   count_buffer,
@@ -38,7 +38,7 @@ struct view_report {
 };
 
 /// Uploads what does not change from frame to frame: the strands and the order of drawing them. Without a given order
-/// strands are drawn by where they grow: those that are near in space lie near in the picture, and caches hold it.
+/// strands that grow near each other are drawn together: they lie near each other in the picture, too.
 /// Throws std::runtime_error for more points than a segment's word can number.
 void upload_fibres(device& to, const strands& fibres, std::span<const std::uint32_t> drawing_order);
 

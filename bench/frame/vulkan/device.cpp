@@ -85,7 +85,7 @@ void device::pick() {
       vk_.vkGetPhysicalDeviceProperties2(one, &all_properties);
       subgroup_ = subgroups.subgroupSize;
       // Mesa's lavapipe loses invocations at a barrier in a loop when a workgroup is larger than a subgroup.
-      workgroup_ = gpu ? 64 : 8;
+      workgroup_ = gpu ? 256 : 8;
       return;
     }
   }
@@ -247,7 +247,7 @@ void device::resize(std::uint32_t binding, std::uint64_t bytes) {
   free(b);
   const VkBufferUsageFlags kind =
       binding == 0 ? VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT : VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-  b = make_buffer((std::max<std::uint64_t>(bytes, 16) + 3) / 4 * 4,
+  b = make_buffer((std::max<std::uint64_t>(bytes, 64) + 3) / 4 * 4,
                   kind | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                   VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
   const VkDescriptorBufferInfo bound{b.handle, 0, VK_WHOLE_SIZE};

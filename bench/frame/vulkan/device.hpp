@@ -46,7 +46,7 @@ class device {
   [[nodiscard]] bool has_64_bit_atomics() const { return has_64_bit_atomics_; }
   [[nodiscard]] std::uint64_t bytes() const;  ///< of all buffers
 
-  /// Gives a binding a buffer of that size, at least 16 bytes; its content is undefined.
+  /// Gives a binding a buffer of that size, at least 64 bytes; its content is undefined.
   void resize(std::uint32_t binding, std::uint64_t bytes);
   void upload(std::uint32_t binding, std::span<const std::byte> from);
   void download(std::uint32_t binding, std::span<std::byte> to);
@@ -73,7 +73,7 @@ class device {
   std::string name_;
   bool has_64_bit_atomics_ = false;
   std::uint32_t family_ = 0;
-  std::uint32_t workgroup_ = 64;
+  std::uint32_t workgroup_ = 256;
   std::uint32_t subgroup_ = 32;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;

@@ -41,6 +41,7 @@ struct plan {
   std::vector<std::string> build;  ///< kernels that put fragments into the structure; # stands for K
   std::string resolve;             ///< kernel that takes them out; @ stands for the sink
   bool by_subgroup;                ///< that has a subgroup a pixel
+  bool records;                    ///< the camera's runs hold records
   std::uint32_t lists;             ///< a pixel; 0: the pool is cut into runs
   bool slots;                      ///< K of 8 bytes a pixel stand before the list
 };
@@ -48,17 +49,17 @@ struct plan {
 plan plan_of(order_method method) {
   switch (method) {
     case order_method::k_buffer:
-      return {{"count", "allocate", "scatter"}, "select_@_#", true, 0, false};
+      return {{"count", "allocate", "scatter"}, "select_@_#", true, true, 0, false};
     case order_method::a_buffer:
-      return {{"push"}, "resolve_lists_@_#", false, 1, false};
+      return {{"push"}, "resolve_lists_@_#", false, false, 1, false};
     case order_method::ordered_list:
-      return {{"insert_ordered"}, "resolve_ordered_@", false, 2, false};
+      return {{"insert_ordered"}, "resolve_ordered_@", false, false, 2, false};
     case order_method::atomic_k_buffer:
-      return {{"clear_slots_#", "insert_atomic_#"}, "resolve_slots_@_#", false, 1, true};
+      return {{"clear_slots_#", "insert_atomic_#"}, "resolve_slots_@_#", false, false, 1, true};
     case order_method::two_pass_k_buffer:
-      return {{"offer_depths_#", "insert_ids_#"}, "resolve_split_@_#", false, 1, true};
+      return {{"offer_depths_#", "insert_ids_#"}, "resolve_split_@_#", false, false, 1, true};
     case order_method::selection_sort:
-      return {{"count", "allocate", "scatter"}, "resolve_sorted_@", false, 0, false};
+      return {{"count", "allocate", "scatter"}, "resolve_sorted_@", false, false, 0, false};
     case order_method::full_sort:
       break;
   }
@@ -149,7 +150,7 @@ class session {
            bool by_subgroup = false) const {
     to.push_back({view_name(v), kernel, kernel, 0, 0, invocations, by_subgroup, {v, capacity_, plan_.lists, k_}});
   }
-  void count(std::vector<step>& to, std::uint32_t v) const {
+  void allocate(std::vector<step>& to, std::uint32_t v) const {
     run(to, v, "opaque", blocks(v));
     fill(to, v, "counts", count_buffer, 0);
     run(to, v, "count", set_.fibres.segment_count());
@@ -157,7 +158,9 @@ class session {
   }
 
   void make_buffers();
+  [[nodiscard]] std::vector<view_report> run_and_read(const std::vector<step>& steps);
   void measure();
+  void tally();
   void make_frame();
 
   device device_;
@@ -187,6 +190,7 @@ void session::make_buffers() {
   device_.resize(shaded_buffer, points * 2 * sizeof(std::uint32_t));
   device_.resize(picture_buffer, pixels(camera()) * 3 * sizeof(float));
   device_.resize(pool_buffer, 0);
+  device_.resize(record_buffer, 0);
   measure();
   const std::uint64_t texels = all - pixels(camera());
   const std::uint64_t entries = plan_.resolve == "resolve_sorted_@" ? camera() * std::uint64_t{capacity_} : texels * k_;
@@ -199,21 +203,41 @@ void session::make_buffers() {
   device_.resize(entry_buffer, entries * 2 * sizeof(std::uint32_t));
   device_.resize(link_buffer, links * sizeof(std::uint32_t));
   device_.resize(slot_buffer, plan_.slots ? most * k_ * sizeof(std::uint64_t) : 0);
+  device_.resize(record_buffer,
+                 plan_.records ? std::uint64_t{counted_[camera()].taken} * 4 * sizeof(std::uint32_t) : 0);
+  tally();
   make_frame();
 }
 
-/// Counts the fragments of every view once, so that the pool has room for the most.
+std::vector<view_report> session::run_and_read(const std::vector<step>& steps) {
+  (void)device_.run(steps);
+  std::vector<view_report> read(set_.lights.size() + 1);
+  device_.download(report_buffer, std::as_writable_bytes(std::span(read)));
+  return read;
+}
+
+/// Finds how many places the view that has most fragments wants in the pool.
 void session::measure() {
   std::vector<step> steps;
   fill(steps, camera(), "reports", report_buffer, 0);
   fill(steps, camera(), "seen", seen_buffer, 0);
   for (const std::uint32_t v : views())
-    count(steps, v);
-  (void)device_.run(steps);
-  counted_.resize(set_.lights.size() + 1);
-  device_.download(report_buffer, std::as_writable_bytes(std::span(counted_)));
+    allocate(steps, v);
+  counted_ = run_and_read(steps);
   for (const view_report& r : counted_)
-    capacity_ = std::max(capacity_, r.fragments);
+    capacity_ = std::max(capacity_, r.taken);
+}
+
+/// Counts the fragments of every view once, for the report.
+void session::tally() {
+  std::vector<step> steps;
+  fill(steps, camera(), "reports", report_buffer, 0);
+  for (const std::uint32_t v : views()) {
+    allocate(steps, v);
+    run(steps, v, "scatter", set_.fibres.segment_count());
+    run(steps, v, "tally", blocks(v));
+  }
+  counted_ = run_and_read(steps);
 }
 
 void session::make_frame() {
@@ -229,10 +253,12 @@ void session::make_frame() {
     const std::string sink = v == camera() ? "camera" : "light";
     for (const std::string& pattern : plan_.build) {
       const bool by_pixel = pattern == "allocate" || pattern == "clear_slots_#";
-      run(frame_, v, kernel_name(pattern, sink, k_), by_pixel ? blocks(v) : set_.fibres.segment_count());
+      const bool records = plan_.records && v == camera() && pattern == "scatter";
+      run(frame_, v, records ? "scatter_records" : kernel_name(pattern, sink, k_),
+          by_pixel ? blocks(v) : set_.fibres.segment_count());
     }
     if (v == camera()) {
-      run(frame_, v, "shade", set_.fibres.point.size());
+      run(frame_, v, "shade", set_.fibres.segment_count());
       run(frame_, v, "background", blocks(v));
     }
     run(frame_, v, kernel_name(plan_.resolve, sink, k_), blocks(v), plan_.by_subgroup);

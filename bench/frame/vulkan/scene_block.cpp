@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace pelage::frame::vulkan {
@@ -13,18 +14,31 @@ glm::vec3 row(const glm::mat3& m, int i) {
   return {m[0][i], m[1][i], m[2][i]};
 }
 
+/// A ray that passes a point of a fibre's axis, z deep, at distance d passes it on the screen within d |u| scale / z,
+/// where u is the ray's direction; the pixel's disc is half a pixel wide where the ray is z deep, and d |u| / 2 z wider
+/// where it is nearest. So pixels within this times (radius in pixels + 1/2) are all that a fibre touches.
+float reach_of(const view& v) {
+  if (!v.perspective) return 1.001F;
+  const glm::vec2 corner = (0.5F * glm::vec2(v.width, v.height) + 0.5F) / v.scale;
+  const float slant = std::sqrt(1.0F + glm::dot(corner, corner));
+  return 1.001F * slant / (1.0F - 0.5F * slant * v.cone.slope);
+}
+
 scene_block::view_block block_of(const view& v, std::uint32_t first_pixel) {
-  return {row(v.rotation, 0),
-          v.scale,
-          row(v.rotation, 1),
-          v.near_plane,
-          row(v.rotation, 2),
-          v.perspective ? 1U : 0U,
-          v.eye,
-          first_pixel,
-          {v.width, v.height},
-          v.cone.base,
-          v.cone.slope};
+  scene_block::view_block b{};
+  b.right = row(v.rotation, 0);
+  b.scale = v.scale;
+  b.up = row(v.rotation, 1);
+  b.near_plane = v.near_plane;
+  b.back = row(v.rotation, 2);
+  b.perspective = v.perspective ? 1 : 0;
+  b.eye = v.eye;
+  b.first_pixel = first_pixel;
+  b.size = {v.width, v.height};
+  b.cone_base = v.cone.base;
+  b.cone_slope = v.cone.slope;
+  b.reach = reach_of(v);
+  return b;
 }
 
 scene_block::light_block block_of(const light& l) {
@@ -63,8 +77,6 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
   b.shadows = has_shadows(settings.shown) ? 1 : 0;
   b.translucent = has_translucency(settings.shown) ? 1 : 0;
   b.antialias = settings.antialias ? 1 : 0;
-  b.shuffled = 1;
-  b.point_count = static_cast<std::uint32_t>(set.fibres.point.size());
   b.segment_count = set.fibres.segment_count();
   return b;
 }

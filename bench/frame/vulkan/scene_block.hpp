@@ -27,6 +27,8 @@ struct scene_block {
     glm::ivec2 size;
     float cone_base;
     float cone_slope;
+    float reach;
+    std::array<float, 3> unused;
   };
   struct light_block {
     glm::vec3 position;
@@ -59,12 +61,11 @@ struct scene_block {
   std::uint32_t shadows;
   std::uint32_t translucent;
   std::uint32_t antialias;
-  std::uint32_t shuffled;
-  std::uint32_t point_count;
   std::uint32_t segment_count;
+  std::array<std::uint32_t, 2> unused;
 };
-static_assert(sizeof(scene_block::view_block) == 80 && sizeof(scene_block::light_block) == 48 &&
-              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1456);
+static_assert(sizeof(scene_block::view_block) == 96 && sizeof(scene_block::light_block) == 48 &&
+              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1600);
 
 /// The constants of a frame; views[i].first_pixel counts the pixels of the views before.
 /// Throws std::runtime_error for more lights or opaque objects than the block holds.

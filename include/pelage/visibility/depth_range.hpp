@@ -97,8 +97,8 @@ constexpr float depth_range::relative(float depth) const noexcept {
   if (depth >= to) {
     return 1.0f;
   }
-  // Halves, so that a range from one end of float to the other has a finite length.
-  return saturate((0.5f * depth - 0.5f * from) / (0.5f * to - 0.5f * from));
+  // Eighths, so that a range from one end of float to the other has a length below 2^126: a GPU divides by no more.
+  return saturate((0.125f * depth - 0.125f * from) / (0.125f * to - 0.125f * from));
 }
 
 template <cell_storage Storage>

@@ -15,7 +15,8 @@ namespace pelage {
 
 /// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
 /// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
-/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with inf (or NaN) all in the first.
+/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
+/// divides by no more) at 0.
 [[nodiscard]] constexpr float equal_layer_position(float offset, float width, std::uint32_t layers) noexcept;
 
 /// The same with widths that grow linearly: width, 2 width, 3 width, ... [Yuksel & Keyser 2008, §4]
@@ -34,19 +35,24 @@ namespace pelage {
   return x > 0.0f ? (x < high ? x : high) : 0.0f;
 }
 
+/// How many widths long an offset is.
+[[nodiscard]] constexpr float offset_in_widths(float offset, float width) noexcept {
+  return width <= 8.50705917e37f ? offset / width : 0.0f;
+}
+
 constexpr float slice_position(float relative, std::uint32_t slices) noexcept {
   const float end = static_cast<float>(slices);
   return held_position(relative * end, end);
 }
 
 constexpr float equal_layer_position(float offset, float width, std::uint32_t layers) noexcept {
-  return held_position(offset / width, static_cast<float>(layers));
+  return held_position(offset_in_widths(offset, width), static_cast<float>(layers));
 }
 
 inline float growing_layer_position(float offset, float width, std::uint32_t layers) noexcept {
   const float end = static_cast<float>(layers);
   // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is held to 0.
-  const float widths = held_position(offset / width, 0.5f * end * (end + 1.0f));
+  const float widths = held_position(offset_in_widths(offset, width), 0.5f * end * (end + 1.0f));
   const float layer = std::floor(0.5f * (std::sqrt(8.0f * widths + 1.0f) - 1.0f));
   const float inside = (widths - 0.5f * layer * (layer + 1.0f)) / (layer + 1.0f);
   return held_position(layer + held_position(inside, 1.0f), end);

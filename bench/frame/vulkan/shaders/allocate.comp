@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // Gives each pixel its run of the pool, in any order: what is in a run matters, not where it lies. In: counts. Out:
-// runs, and in counts the first free place of each. Pixels that the pool has no room for get a shorter run; what they
-// lack is reported. One invocation a pixel; bounded by one atomic add a subgroup on a single word.
+// runs, and in counts the first free place of each. Pixels that the pool has no room for get a shorter run. One invocation a pixel; bounded by one atomic add a subgroup on a single word.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -16,17 +15,12 @@ void main() {
   const uint wanted = inside ? counts[pixel] : 0u;
   const uint before = subgroupExclusiveAdd(wanted);
   const uint sum = subgroupAdd(wanted);
-  const uint longest = subgroupMax(wanted);
   uint base = 0u;
   if (subgroupElect()) {
-    base = atomicAdd(reports[push.view].fragments, sum);
-    atomicMax(reports[push.view].longest, longest);
+    base = atomicAdd(reports[push.view].taken, sum);
   }
   const uint first = min(subgroupBroadcastFirst(base) + before, push.capacity);
   const uint held = min(wanted, push.capacity - first);
-  if (held < wanted) {
-    atomicAdd(reports[push.view].refused, wanted - held);
-  }
   if (inside) {
     runs[pixel] = uvec2(first, first + held);
     counts[pixel] = first;

@@ -40,11 +40,15 @@ vec4 shaded_at(uint i) {
   return vec4(unpackHalf2x16(word.x), unpackHalf2x16(word.y));
 }
 
-seen_fibre see(pelage_fragment f) {
-  const touch where = touch_of(place(f.id), sink_at);
-  const uint i = first_point(f.id);
+/// A fragment as its touch is known.
+seen_fibre see(uint i, touch where) {
   const vec4 mean = mix(shaded_at(i), shaded_at(i + 1u), where.along);
   return seen_fibre(mean.rgb, mean.a, where.coverage * share_in_front(where.depth));
+}
+
+/// And where it has to be found again.
+seen_fibre see(pelage_fragment f) {
+  return see(f.id, touch_of(place(f.id), sink_at));
 }
 
 void sink_begin(ivec2 at, bool whole) {
@@ -59,9 +63,12 @@ void sink_begin(ivec2 at, bool whole) {
   sink_behind = pelage_empty_tail();
 }
 
-void sink_lose(pelage_fragment f) {
-  const seen_fibre fibre = see(f);
+void sink_put_behind(seen_fibre fibre) {
   sink_behind = pelage_add_fragment(sink_behind, fibre.opacity * fibre.coverage, fibre.radiance);
+}
+
+void sink_lose(pelage_fragment f) {
+  sink_put_behind(see(f));
 }
 
 void sink_add(seen_fibre fibre) {

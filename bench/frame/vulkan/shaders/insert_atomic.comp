@@ -6,18 +6,17 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #extension GL_EXT_shader_atomic_int64 : require
-#define PELAGE_FRAME_DRAWS
-#include "raster.glsl"
+#include "draw.glsl"
 #include "lists.glsl"
 #include "slots.glsl"
 
-void visit(uint segment, ivec2 at, touch where) {
-  const pelage_fragment lost = pelage_atomic_k_buffer_insert(index_of(at), fragment_of(segment, where));
+void visit(uint i, uint pixel, touch where) {
+  const pelage_fragment lost = pelage_atomic_k_buffer_insert(pixel, fragment_of(i, where));
   if (pelage_is_fragment(lost)) {
-    pelage_a_buffer_push(index_of(at), lost);
+    pelage_a_buffer_push(pixel, lost);
   }
 }
 
 void main() {
-  draw_own_segment();
+  draw_segments();
 }

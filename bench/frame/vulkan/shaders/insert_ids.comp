@@ -4,19 +4,18 @@
 // In: points, limits, slots. Out: slots, pool, links, seen. One invocation a segment; bounded by K loads a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PELAGE_FRAME_DRAWS
-#include "raster.glsl"
+#include "draw.glsl"
 #include "lists.glsl"
 #define SPLIT
 #include "slots.glsl"
 
-void visit(uint segment, ivec2 at, touch where) {
-  const pelage_fragment lost = pelage_two_pass_k_buffer_insert(index_of(at), fragment_of(segment, where));
+void visit(uint i, uint pixel, touch where) {
+  const pelage_fragment lost = pelage_two_pass_k_buffer_insert(pixel, fragment_of(i, where));
   if (pelage_is_fragment(lost)) {
-    pelage_a_buffer_push(index_of(at), lost);
+    pelage_a_buffer_push(pixel, lost);
   }
 }
 
 void main() {
-  draw_own_segment();
+  draw_segments();
 }

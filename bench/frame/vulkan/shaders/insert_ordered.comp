@@ -5,17 +5,16 @@
 // dependent load a step.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PELAGE_FRAME_DRAWS
-#include "raster.glsl"
+#include "draw.glsl"
 #include "lists.glsl"
 
-void visit(uint segment, ivec2 at, touch where) {
-  const pelage_fragment back = pelage_ordered_list_insert(index_of(at), fragment_of(segment, where), push.k);
+void visit(uint i, uint pixel, touch where) {
+  const pelage_fragment back = pelage_ordered_list_insert(pixel, fragment_of(i, where), push.k);
   if (pelage_is_fragment(back)) {
-    pelage_a_buffer_push(view_pixels() + index_of(at), back);
+    pelage_a_buffer_push(view_pixels() + pixel, back);
   }
 }
 
 void main() {
-  draw_own_segment();
+  draw_segments();
 }

@@ -33,24 +33,15 @@ float texel_at(uint l, vec3 world) {
   return 2.0 * pelage_radius_at(cone_of(l), -to_view(l, world).z);
 }
 
-float transmittance_in(uint pixel, float depth) {
-  if (depth > limits[pixel]) {
-    return 0.0;
-  }
-  const uvec4 texel = texels[pixel];
-  uint begin = 0u;
-  uint end = texel.y;
-  while (begin < end) {
-    const uint middle = (begin + end) / 2u;
-    if (uintBitsToFloat(entries[texel.x + middle].x) < depth) {
-      begin = middle + 1u;
-    } else {
-      end = middle;
-    }
-  }
-  const uvec2 last = begin > 0u ? entries[texel.x + begin - 1u] : uvec2(0u);
+float entry_depth(uint i) {
+  return uintBitsToFloat(entries[i].x);
+}
+
+/// What the texel lets through whose `before` first entries lie before a depth.
+float transmittance_behind(uvec4 texel, uint before, float depth) {
+  const uvec2 last = before > 0u ? entries[texel.x + before - 1u] : uvec2(0u);
   uint optical = last.y;
-  if (begin == texel.y && texel.z > 0u) {
+  if (before == texel.y && texel.z > 0u) {
     // Between the last entry and the farthest fragment the rest's optical depth grows linearly.
     const float from = uintBitsToFloat(last.x);
     const float span = uintBitsToFloat(texel.w) - from;
@@ -59,6 +50,33 @@ float transmittance_in(uint pixel, float depth) {
     optical = pelage_add_saturating(optical, uint(share * min(float(texel.z), greatest)));
   }
   return pelage_transmittance_of(optical);
+}
+
+/// What a square of four texels lets through, by rows. All four are searched at once: a search waits for each of its
+/// loads, and so four wait together.
+vec4 transmittance_in(uint pixel, uint below, float depth) {
+  const uvec4 place = uvec4(pixel, pixel + 1u, below, below + 1u);
+  uvec4 texel[4];
+  uvec4 before = uvec4(0u);
+  uint most = 0u;
+  for (int t = 0; t < 4; ++t) {
+    texel[t] = texels[place[t]];
+    most = max(most, texel[t].y);
+  }
+  for (uint stride = most > 0u ? 1u << uint(findMSB(most)) : 0u; stride > 0u; stride /= 2u) {
+    float probe[4];
+    for (int t = 0; t < 4; ++t) {
+      probe[t] = before[t] + stride <= texel[t].y ? entry_depth(texel[t].x + before[t] + stride - 1u) : depth;
+    }
+    for (int t = 0; t < 4; ++t) {
+      before[t] += probe[t] < depth ? stride : 0u;
+    }
+  }
+  vec4 passed;
+  for (int t = 0; t < 4; ++t) {
+    passed[t] = depth > limits[place[t]] ? 0.0 : transmittance_behind(texel[t], before[t], depth);
+  }
+  return passed;
 }
 
 /// The share of a light that reaches a world position: four texels, weighted bilinearly.
@@ -77,8 +95,9 @@ float transmittance_to(uint l, vec3 world, float bias) {
   }
   const uint first = scene.views[l].first_pixel + uint(corner.y) * uint(size.x) + uint(corner.x);
   const uint below = first + uint(size.x);
-  const float top = mix(transmittance_in(first, depth), transmittance_in(first + 1u, depth), weight.x);
-  const float bottom = mix(transmittance_in(below, depth), transmittance_in(below + 1u, depth), weight.x);
+  const vec4 passed = transmittance_in(first, below, depth);
+  const float top = mix(passed.x, passed.y, weight.x);
+  const float bottom = mix(passed.z, passed.w, weight.x);
   return mix(top, bottom, weight.y);
 }
 

@@ -8,8 +8,8 @@
 #ifndef PELAGE_FRAME_NEAREST_GLSL
 #define PELAGE_FRAME_NEAREST_GLSL
 #include "scene.glsl"
+#include "subgroup.glsl"
 
-layout(constant_id = 1) const uint lanes = 32u;  ///< of a subgroup, a power of two
 const uint rows = (uint(K) + lanes - 1u) / lanes;
 
 /// Above so many a sort and a merge cost less than insertions.
@@ -88,18 +88,40 @@ void merge(uvec2 offered) {
   }
 }
 
+/// The slot of a fragment that is in one.
+uint slot_of(uvec2 held) {
+  uint begin = 0u;
+  for (uint step = rows * lanes / 2u; step > 0u; step /= 2u) {
+    // The last slot of the lower half, from whichever row it lies in.
+    const uint last = begin + step - 1u;
+    uvec2 there = subgroupShuffle(nearest[0], last % lanes);
+    for (uint row = 1u; row < rows; ++row) {
+      const uvec2 other = subgroupShuffle(nearest[row], last % lanes);
+      there = row == last / lanes ? other : there;
+    }
+    begin += key_before(there, held) ? step : 0u;
+  }
+  return begin;
+}
+
 uvec2 kth() {
   return subgroupBroadcast(nearest[(uint(K) - 1u) / lanes], (uint(K) - 1u) % lanes);
 }
 
-/// Fills the slots with the nearest of pool[begin … end).
+/// Where the fragments of runs lie is the including shader's choice.
+pelage_fragment offered_at(uint i);
+
+/// Fills the slots with the nearest of the run [begin, end).
 void select_nearest(uint begin, uint end) {
   for (uint row = 0u; row < rows; ++row) {
     nearest[row] = none;
   }
+  uint i = begin + gl_SubgroupInvocationID;
+  uvec2 next = i < end ? key_of(offered_at(i)) : none;
   for (uint from = begin; from < end; from += lanes) {
-    const uint i = from + gl_SubgroupInvocationID;
-    const uvec2 mine = i < end ? key_of(pool[i]) : none;
+    const uvec2 mine = next;
+    i += lanes;
+    next = i < end ? key_of(offered_at(i)) : none;  // on its way while these are put in order
     bool waiting = key_before(mine, kth());
     uvec4 ballot = subgroupBallot(waiting);
     if (subgroupBallotBitCount(ballot) > most_insertions) {

@@ -4,15 +4,14 @@
 // limits. Out: slots. One invocation a segment; bounded by up to K atomic minima a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PELAGE_FRAME_DRAWS
-#include "raster.glsl"
+#include "draw.glsl"
 #define SPLIT
 #include "slots.glsl"
 
-void visit(uint segment, ivec2 at, touch where) {
-  pelage_two_pass_k_buffer_offer_depth(index_of(at), fragment_of(segment, where));
+void visit(uint i, uint pixel, touch where) {
+  pelage_two_pass_k_buffer_offer_depth(pixel, fragment_of(i, where));
 }
 
 void main() {
-  draw_own_segment();
+  draw_segments();
 }

@@ -11,9 +11,15 @@ struct view_ray {
   vec3 direction;  ///< z = -1: a position along it is a view depth
 };
 
+/// A dot product of the same bits in every shader.
+precise float steady_dot(vec3 a, vec3 b) {
+  return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x));
+}
+
 precise vec3 to_view(uint v, vec3 world) {
   const vec3 d = world - scene.views[v].eye;
-  return vec3(dot(scene.views[v].right, d), dot(scene.views[v].up, d), dot(scene.views[v].back, d));
+  return vec3(steady_dot(scene.views[v].right, d), steady_dot(scene.views[v].up, d),
+              steady_dot(scene.views[v].back, d));
 }
 
 vec3 direction_to_world(uint v, vec3 d) {
@@ -25,7 +31,7 @@ precise vec2 to_pixel(uint v, vec3 p) {
   const float depth = -p.z > scene.views[v].near_plane ? -p.z : scene.views[v].near_plane;
   const float s = scene.views[v].perspective ? scene.views[v].scale / depth : scene.views[v].scale;
   const vec2 middle = 0.5 * vec2(scene.views[v].size);
-  return vec2(middle.x + s * p.x, middle.y - s * p.y);
+  return vec2(fma(s, p.x, middle.x), fma(-s, p.y, middle.y));
 }
 
 precise view_ray ray_through(uint v, vec2 pixel) {

@@ -4,14 +4,13 @@
 // invocation a segment; bounded by coverage's arithmetic, then by an add on one word and an exchange a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define PELAGE_FRAME_DRAWS
-#include "raster.glsl"
+#include "draw.glsl"
 #include "lists.glsl"
 
-void visit(uint segment, ivec2 at, touch where) {
-  pelage_a_buffer_push(index_of(at), fragment_of(segment, where));
+void visit(uint i, uint pixel, touch where) {
+  pelage_a_buffer_push(pixel, fragment_of(i, where));
 }
 
 void main() {
-  draw_own_segment();
+  draw_segments();
 }

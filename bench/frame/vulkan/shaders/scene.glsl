@@ -27,6 +27,7 @@ struct view_block {
   ivec2 size;
   float cone_base;
   float cone_slope;
+  float reach;  ///< pixels beside a fibre's axis that it may touch: this times its radius in pixels and a half
 };
 
 struct light_block {
@@ -46,7 +47,7 @@ struct ellipsoid_block {
 };
 
 struct view_report {
-  uint fragments;  ///< counted
+  uint fragments;  ///< in runs
   uint longest;    ///< fragments of the pixel that has most
   uint refused;    ///< that found no place
   uint taken;      ///< nodes or places of the pool in use
@@ -69,20 +70,23 @@ layout(std140, binding = 0) uniform scene_block {
   bool shadows;
   bool translucent;
   bool antialias;
-  bool shuffled;
-  uint point_count;
   uint segment_count;
 } scene;
+
+// What a segment's word holds beside its first point.
+const uint begins_strand = 0x80000000u;
+const uint ends_strand = 0x40000000u;
+const uint point_mask = 0x3fffffffu;
 
 layout(std430, binding = 1) readonly buffer point_buffer { vec4 points[]; };  ///< world position, radius
 layout(std430, binding = 2) readonly buffer tangent_buffer { float tangents[]; };
 layout(std430, binding = 3) readonly buffer colour_buffer { float colours[]; };
 layout(std430, binding = 4) readonly buffer opacity_buffer { float opacities[]; };
-layout(std430, binding = 5) readonly buffer segment_buffer { uint segments[]; };  ///< first point; see raster.glsl
-layout(std430, binding = 6) readonly buffer drawing_buffer { uint drawing_order[]; };
+layout(std430, binding = 5) readonly buffer segment_buffer { uint segments[]; };  ///< first point and the two bits
+layout(std430, binding = 6) buffer record_buffer { uvec4 records[]; };  ///< a fragment, its coverage, where it lies
 layout(std430, binding = 7) buffer limit_buffer { float limits[]; };  ///< a pixel of a view: hidden from this depth on
 layout(std430, binding = 8) buffer sample_buffer { float sample_depths[]; };  ///< nine a pixel of the camera
-layout(std430, binding = 9) coherent buffer count_buffer { uint counts[]; };  ///< fragments a pixel, or the next place
+layout(std430, binding = 9) coherent buffer count_buffer { uint counts[]; };  ///< room a pixel wants, then its next free place
 layout(std430, binding = 10) buffer run_buffer { uvec2 runs[]; };  ///< a pixel's part of the pool, [x, y)
 layout(std430, binding = 11) coherent buffer pool_buffer { pelage_fragment pool[]; };
 layout(std430, binding = 12) buffer texel_buffer { uvec4 texels[]; };   ///< a pixel of a light: see light_sink.glsl

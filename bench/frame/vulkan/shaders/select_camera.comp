@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // The picture from the camera's runs: the K nearest fragments of each pixel in order, the rest as one layer behind
-// them, over the background. In: runs, counts, pool, points, shaded, sample_depths, picture. Out: picture. One subgroup
-// a pixel; bounded by the scattered loads of what each fragment is made of.
+// them, over the background. In: runs, counts, records, shaded, sample_depths, picture. Out: picture. One subgroup a
+// pixel; bounded by the scattered loads of the radiance at the two ends of each fragment's segment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -12,6 +12,14 @@
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #include "nearest.glsl"
 #include "camera_sink.glsl"
+
+/// The K nearest of each subgroup's pixel, nearest first: radiance, opacity and coverage.
+shared vec4 held_colour[gl_WorkGroupSize.x / lanes * uint(K)];
+shared float held_coverage[gl_WorkGroupSize.x / lanes * uint(K)];
+
+pelage_fragment offered_at(uint i) {
+  return pelage_fragment(uintBitsToFloat(records[i].x), records[i].y);
+}
 
 pelage_tail sum_over_lanes(pelage_tail t) {
   for (uint stride = lanes / 2u; stride > 0u; stride /= 2u) {
@@ -36,27 +44,31 @@ void main() {
   }
   select_nearest(begin, end);
   sink_begin(at, false);
-  if (end - begin > uint(K)) {
-    const uvec2 last = kth();
-    for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
-      const pelage_fragment f = pool[i];
-      if (key_before(last, key_of(f))) {
-        sink_lose(f);
+  const uvec2 last = kth();
+  const uint first_held = gl_SubgroupID * uint(K);
+  for (uint from = begin; from < end; from += lanes) {
+    const uint i = from + gl_SubgroupInvocationID;
+    const uvec4 record = records[min(i, end - 1u)];
+    const uvec2 key = key_of(pelage_fragment(uintBitsToFloat(record.x), record.y));
+    const uint slot = slot_of(key);
+    if (i < end) {
+      const seen_fibre fibre = see(record.y, touch(uintBitsToFloat(record.x), uintBitsToFloat(record.z),
+                                                   uintBitsToFloat(record.w)));
+      if (key_before(last, key)) {
+        sink_put_behind(fibre);
+      } else {
+        held_colour[first_held + slot] = vec4(fibre.radiance, fibre.opacity);
+        held_coverage[first_held + slot] = fibre.coverage;
       }
     }
-    sink_behind = sum_over_lanes(sink_behind);
   }
-  const uint held = min(end - begin, uint(K));
-  for (uint row = 0u; row < rows; ++row) {
-    seen_fibre mine = seen_fibre(vec3(0.0), 0.0, 0.0);
-    if (row * lanes + gl_SubgroupInvocationID < held) {
-      mine = see(fragment_from(nearest[row]));
-    }
-    const uint last = min(held - min(held, row * lanes), lanes);
-    for (uint lane = 0u; lane < last; ++lane) {
-      sink_add(seen_fibre(subgroupShuffle(mine.radiance, lane), subgroupShuffle(mine.opacity, lane),
-                          subgroupShuffle(mine.coverage, lane)));
-    }
+  subgroupMemoryBarrierShared();
+  subgroupBarrier();
+  for (uint slot = first_held; slot < first_held + min(end - begin, uint(K)); ++slot) {
+    sink_add(seen_fibre(held_colour[slot].rgb, held_colour[slot].a, held_coverage[slot]));
+  }
+  if (end - begin > uint(K)) {
+    sink_behind = sum_over_lanes(sink_behind);
   }
   if (subgroupElect()) {
     sink_finish(at);

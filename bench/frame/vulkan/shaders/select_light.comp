@@ -13,6 +13,10 @@
 #include "nearest.glsl"
 #include "pelage/glsl/composite/optical_depth.glsl"
 
+pelage_fragment offered_at(uint i) {
+  return pool[i];
+}
+
 void main() {
   const ivec2 at = pixel_of_subgroup();
   if (!is_inside(at)) {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // Lights the strands' points that the camera sees. In: points and what they are made of, seen, the lights' maps. Out:
-// shaded. One invocation a point; bounded by the maps' scattered loads, some 30 a light.
+// shaded. One invocation a segment; bounded by the maps' scattered loads, some 30 a light.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "pelage/glsl/bsdf/kajiya_kay.glsl"
@@ -13,11 +13,7 @@ const float specular_weight = 0.22;
 const float exponent = 60.0;
 const float sky_share = 0.30;
 
-void main() {
-  const uint i = invocation();
-  if (i >= scene.point_count || (seen[i] == 0u && (i == 0u || seen[i - 1u] == 0u))) {
-    return;
-  }
+void shade(uint i) {
   const vec3 position = points[i].xyz;
   const vec3 tangent = triple_of_tangents(i);
   const vec3 colour = triple_of_colours(i);
@@ -33,4 +29,20 @@ void main() {
   const vec3 held = min(sum, vec3(65504.0));  // the largest half
   const float opacity = scene.translucent ? opacities[i] : 1.0;
   shaded[i] = uvec2(packHalf2x16(held.xy), packHalf2x16(vec2(held.z, opacity)));
+}
+
+/// Each segment's first point, and the last one of a strand.
+void main() {
+  const uint s = invocation();
+  if (s >= scene.segment_count) {
+    return;
+  }
+  const uint word = segments[s];
+  const uint i = word & point_mask;
+  if (seen[i] != 0u || ((word & begins_strand) == 0u && seen[i - 1u] != 0u)) {
+    shade(i);
+  }
+  if ((word & ends_strand) != 0u && seen[i] != 0u) {
+    shade(i + 1u);
+  }
 }

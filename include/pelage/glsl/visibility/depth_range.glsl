@@ -91,8 +91,8 @@ precise float pelage_depth_range_relative(pelage_depth_range self, float depth) 
   if (depth >= to) {
     return 1.0;
   }
-  // Halves, so that a range from one end of float to the other has a finite length.
-  return pelage_saturate((0.5 * depth - 0.5 * from) / (0.5 * to - 0.5 * from));
+  // Eighths, so that a range from one end of float to the other has a length below 2^126: a GPU divides by no more.
+  return pelage_saturate((0.125 * depth - 0.125 * from) / (0.125 * to - 0.125 * from));
 }
 
 void pelage_extend_depth_range(uint texel, float depth) {

@@ -13,8 +13,9 @@ precise float pelage_slice_position(float relative, uint slices);
 
 /// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
 /// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
-/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with inf (or NaN) all in the first.
-precise float pelage_equal_layer_position(float offset, float width, uint layers);
+/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
+/// divides by no more) at 0.
+float pelage_equal_layer_position(float offset, float width, uint layers);
 
 /// The same with widths that grow linearly: width, 2 width, 3 width, ... [Yuksel & Keyser 2008, §4]
 precise float pelage_growing_layer_position(float offset, float width, uint layers);
@@ -30,6 +31,11 @@ float pelage_held_position(float x, float high) {
   return x > 0.0 ? (x < high ? x : high) : 0.0;
 }
 
+/// How many widths long an offset is.
+precise float pelage_offset_in_widths(float offset, float width) {
+  return width <= 8.50705917e37 ? offset / width : 0.0;
+}
+
 // ---------------------------------------------------------------------------------------------------------
 
 precise float pelage_slice_position(float relative, uint slices) {
@@ -37,14 +43,14 @@ precise float pelage_slice_position(float relative, uint slices) {
   return pelage_held_position(relative * end, end);
 }
 
-precise float pelage_equal_layer_position(float offset, float width, uint layers) {
-  return pelage_held_position(offset / width, float(layers));
+float pelage_equal_layer_position(float offset, float width, uint layers) {
+  return pelage_held_position(pelage_offset_in_widths(offset, width), float(layers));
 }
 
 precise float pelage_growing_layer_position(float offset, float width, uint layers) {
   const float end = float(layers);
   // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is held to 0.
-  const float widths = pelage_held_position(offset / width, 0.5 * end * (end + 1.0));
+  const float widths = pelage_held_position(pelage_offset_in_widths(offset, width), 0.5 * end * (end + 1.0));
   const float layer = floor(0.5 * (sqrt(8.0 * widths + 1.0) - 1.0));
   const float inside = (widths - 0.5 * layer * (layer + 1.0)) / (layer + 1.0);
   return pelage_held_position(layer + pelage_held_position(inside, 1.0), end);
