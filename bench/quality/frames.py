@@ -64,12 +64,13 @@ def error_of(report):
 def print_shadows(reports):
     print(f"The built-in model, {MODEL[1]} strands, {SIDE}x{SIDE} pixels and texels, two lights. Time is the "
           "shortest of the rounds: of both lights' maps, and of the camera's pass, which looks them up.\n")
-    print("| --shadow | bytes a texel | RMS | largest | maps, s | camera, s |\n| --- | ---: | ---: | ---: | ---: | ---: |")
+    print("| --shadow | bytes a texel | RMS | largest | maps, s | camera, s |\n| --- |" + " ---: |" * 5)
     for method in SHADOWS:
         report = reports["shadow", method][0]
         size = sum(one["result_bytes"] for one in report["passes"][:-1]) / (len(report["passes"]) - 1) / SIDE ** 2
-        print(f"| `{method}` | {size:.0f} | {error_of(report)} | {shortest(reports, 'shadow', method, slice(0, -1)):.2f} "
-              f"| {shortest(reports, 'shadow', method, slice(-1, None)):.2f} |")
+        maps = shortest(reports, "shadow", method, slice(0, -1))
+        camera = shortest(reports, "shadow", method, slice(-1, None))
+        print(f"| `{method}` | {size:.0f} | {error_of(report)} | {maps:.2f} | {camera:.2f} |")
     print()
 
 
