@@ -79,7 +79,7 @@ void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
       app.add_option("--hair-colour", o.colour, "pigment by name; without it and --melanin the model's own colour")
           ->check(CLI::IsMember(names(colour_names)));
   app.add_option("--melanin", o.melanin,
-                 "EUMELANIN[,PHEOMELANIN], [0, 100]: blond 0.3,0.05, red 0.1,0.7, brown 1.3,0.1, black 8")
+                 "EUMELANIN[,PHEOMELANIN], [0, 100]: blond 0.1,0.03, red 0.05,0.8, brown 0.6,0.06, black 8")
       ->delimiter(',')
       ->expected(1, 2)
       ->check(CLI::Range(0.0, 100.0))

@@ -77,6 +77,17 @@ for alpha in ("0.25", "0.15", "0.03"):
 side_by_side("errors", rows)
 print("\n" + "\n".join(table))
 
+# Two more lights, behind and beside the head, show what passes through hair.
+lights = ["spot:3.57,4.3,4.57:2.0,1.9,1.75:90", "directional:-1.61,1.3,-1.49:1.3,1.4,1.6",
+          "directional:0.6,0.9,-2.31:1.1,1.05,1.0"]
+models = [("kajiya_kay", "Kajiya-Kay"), ("marschner", "Marschner"), ("chiang", "Chiang"),
+          ("dual_scattering", "dual scattering")]
+side_by_side("scattering", [
+    [(f"{title}, {colour}", render(f"{model}-{colour}", "--size", "400", "--bsdf", model, "--hair-colour", colour,
+                                   "--lights", *lights)[0]) for colour in ("blond", "red", "brown", "black")]
+    for model, title in models
+])
+
 if given.hair:
     picture, _ = render("file", "--hair", given.hair, "--follow", "15")
     (pictures / "file.png").write_bytes(picture.read_bytes())

@@ -40,18 +40,15 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   scene world{fibres, set.opaque, {}, set.round, set.sky, fibre_bsdf(settings.look, mean(fibres.colour))};
   const double passes = static_cast<double>(set.lights.size() + 1);
 
-  // A map keeps pointers to its raster and view for its depths; they live as long as the scene.
-  std::vector<std::unique_ptr<raster>> rasters;
   for (std::size_t i = 0; i < set.lights.size(); ++i) {
     lit l{set.lights[i], nullptr};
     if (has_shadows(settings.shown)) {
-      const std::string name = fmt::format("light {}", rasters.size() + 1);
-      progress(name, static_cast<double>(rasters.size()) / passes);
+      const std::string name = fmt::format("light {}", i + 1);
+      progress(name, static_cast<double>(i) / passes);
       const clock::time_point pass_start = clock::now();
-      rasters.push_back(std::make_unique<raster>(fibres, set.light_views[i], true));
+      const raster fragments(fibres, set.light_views[i], true);
       const double prepared = seconds_since(pass_start);
-      cast_shadow made =
-          cast(settings.shadow, *rasters.back(), world.opaque, options, has_translucency(settings.shown));
+      cast_shadow made = cast(settings.shadow, fragments, world.opaque, options, has_translucency(settings.shown));
       result.passes.push_back({name, prepared, made.report, made.map->bytes()});
       l.shadow = std::move(made.map);
     }

@@ -31,31 +31,25 @@ float screen_stretch(const view& from) {
 }  // namespace
 
 raster::raster(const strands& fibres, const view& from, bool antialias)
-    : fibres_(fibres),
-      view_(from),
-      antialias_(antialias),
-      stretch_(screen_stretch(from)),
-      position_(fibres.point.size()),
-      pixel_(fibres.point.size()),
-      joint_(fibres.point.size()) {
-  const std::size_t count = position_.size();
+    : fibres_(fibres), view_(from), antialias_(antialias), stretch_(screen_stretch(from)), point_(fibres.point.size()) {
+  const std::size_t count = point_.size();
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    position_[i] = view_.to_view(fibres_.point[i]);
-    pixel_[i] = view_.to_pixel(position_[i]);
+    const glm::vec3 position = view_.to_view(fibres_.point[i]);
+    point_[i] = {position, fibres_.radius[i], view_.to_pixel(position), glm::vec2(0.0F)};
   });
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const bool has_before = (fibres_.end_of[i] & strands::first) == 0;
     const bool has_after = (fibres_.end_of[i] & strands::last) == 0;
-    joint_[i] = (has_after ? pixel_[i + 1] : pixel_[i]) - (has_before ? pixel_[i - 1] : pixel_[i]);
+    point_[i].joint = point_[has_after ? i + 1 : i].pixel - point_[has_before ? i - 1 : i].pixel;
   });
 }
 
 raster::outline raster::outline_of(std::uint32_t segment) const {
   const std::uint32_t i = fibres_.segment[segment];
-  const glm::vec2& a = pixel_[i];
-  const glm::vec2& b = pixel_[i + 1];
-  const float nearest = -std::max(position_[i].z, position_[i + 1].z);
-  const float radius = std::max(fibres_.radius[i], fibres_.radius[i + 1]);
+  const glm::vec2& a = point_[i].pixel;
+  const glm::vec2& b = point_[i + 1].pixel;
+  const float nearest = -std::max(point_[i].position.z, point_[i + 1].position.z);
+  const float radius = std::max(point_[i].radius, point_[i + 1].radius);
   const float pixels = radius * view_.scale / (view_.perspective ? nearest : 1.0F);
   const float reach = stretch_ * (pixels + 0.5F) + rounding;
   const bool on_screen =
@@ -71,9 +65,9 @@ raster::outline raster::outline_of(std::uint32_t segment) const {
 raster::outline raster::wide_outline_of(std::uint32_t segment) const {
   constexpr float margin = 0.75F;  // a disc reaches half a pixel beyond the fibre; the rest is for rounding
   const std::uint32_t i = fibres_.segment[segment];
-  const float radius = std::max(fibres_.radius[i], fibres_.radius[i + 1]);
+  const float radius = std::max(point_[i].radius, point_[i + 1].radius);
   const segment_quad<float> quad =
-      expand_segment(position_[i], position_[i + 1], radius, view_.cone, view_.near_plane, margin);
+      expand_segment(point_[i].position, point_[i + 1].position, radius, view_.cone, view_.near_plane, margin);
   if (!quad.visible) return {{0, 0, 0, 0}, 0.0F, 0.0F, 0.0F, anywhere};
   glm::vec2 lower(std::numeric_limits<float>::infinity());
   glm::vec2 upper = -lower;

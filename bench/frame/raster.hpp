@@ -42,13 +42,20 @@ class raster {
   template <class Visit>
   void for_each(std::uint32_t segment, const pixel_rect& clip, Visit&& visit) const;
 
+  /// Asks the processor to load what for_each() will read.
+  void prefetch(std::uint32_t segment) const {
+    const projected* const point = &point_[fibres_.segment[segment]];
+    __builtin_prefetch(point);
+    __builtin_prefetch(point + 1);
+  }
+
   /// The pixels of the view that the segment may touch; empty (x0 >= x1 or y0 >= y1) when there are none.
   [[nodiscard]] pixel_rect bounds(std::uint32_t segment) const { return outline_of(segment).box; }
 
   /// From end to end in pixels; an end nearer than the near plane is taken to lie on it.
   [[nodiscard]] float length_on_screen(std::uint32_t segment) const {
     const std::uint32_t i = fibres_.segment[segment];
-    return glm::length(pixel_[i + 1] - pixel_[i]);
+    return glm::length(point_[i + 1].pixel - point_[i].pixel);
   }
 
   [[nodiscard]] const strands& fibres() const { return fibres_; }
@@ -62,6 +69,14 @@ class raster {
 
  private:
   static constexpr int width = lane_width();
+
+  /// A strand's point as the view sees it, together what a fragment needs.
+  struct alignas(32) projected {
+    glm::vec3 position;  ///< view space
+    float radius;
+    glm::vec2 pixel;  ///< pixel coordinates
+    glm::vec2 joint;  ///< the strand's direction on the screen, any length
+  };
 
   /// The pixels that a segment may touch: those of a box, and in each of its rows those near a slanted line. A
   /// pixel's centre lies at most `half` beside the line's crossing with its row, (x, y) + n (slope, 1).
@@ -87,10 +102,8 @@ class raster {
   const strands& fibres_;
   const view& view_;
   bool antialias_;
-  float stretch_;                    ///< from gaps beside a ray to distances on the screen
-  std::vector<glm::vec3> position_;  ///< per point, view space
-  std::vector<glm::vec2> pixel_;     ///< per point, pixel coordinates
-  std::vector<glm::vec2> joint_;     ///< per point, the strand's direction on the screen, any length
+  float stretch_;  ///< from gaps beside a ray to distances on the screen
+  std::vector<projected> point_;
 };
 
 // ---------------------------------------------------------------------------------------------------------
@@ -153,13 +166,15 @@ inline lanes<raster::width> raster::iota() {
 inline raster::touches raster::at_centres(std::uint32_t segment, lanes<width> x, lanes<width> y) const {
   using pack = lanes<width>;
   const std::uint32_t i = fibres_.segment[segment];
-  const auto past = [&](std::uint32_t point) {
-    return (x - pack(pixel_[point].x)) * pack(joint_[point].x) + (y - pack(pixel_[point].y)) * pack(joint_[point].y);
+  const projected& a = point_[i];
+  const projected& b = point_[i + 1];
+  const auto past = [&](const projected& p) {
+    return (x - pack(p.pixel.x)) * pack(p.joint.x) + (y - pack(p.pixel.y)) * pack(p.joint.y);
   };
   const pack zero(0.0F);
-  const lane_mask<width> behind_start = past(i) < zero;
-  const lane_mask<width> before_end = past(i + 1) < zero;
-  const bool seen_end_on = joint_[i] == glm::vec2(0.0F) && joint_[i + 1] == glm::vec2(0.0F);
+  const lane_mask<width> behind_start = past(a) < zero;
+  const lane_mask<width> before_end = past(b) < zero;
+  const bool seen_end_on = a.joint == glm::vec2(0.0F) && b.joint == glm::vec2(0.0F);
 
   const pack scale(view_.scale);
   const lane_points<width> across{(x - pack(0.5F * static_cast<float>(view_.width))) / scale,
@@ -169,16 +184,16 @@ inline raster::touches raster::at_centres(std::uint32_t segment, lanes<width> x,
   const pack ahead(-1.0F);
   const lane_points<width> direction =
       view_.perspective ? lane_points<width>{across.x, across.y, ahead} : lane_points<width>{zero, zero, ahead};
-  const glm::vec3& start = position_[i];
-  const glm::vec3& end = position_[i + 1];
+  const glm::vec3& start = a.position;
+  const glm::vec3& end = b.position;
   const closest_lanes<width> pair =
       closest_points(origin, direction, lane_points<width>{pack(start.x), pack(start.y), pack(start.z)},
                      lane_points<width>{pack(end.x), pack(end.y), pack(end.z)});
 
   const pack disc =
       pack(view_.cone.base) + pack(view_.cone.slope) * select(pair.along_ray > zero, pair.along_ray, zero);
-  const float radius_change = fibres_.radius[i + 1] - fibres_.radius[i];
-  const pack radius = pack(fibres_.radius[i]) + pair.along_segment * pack(radius_change);
+  const float radius_change = b.radius - a.radius;
+  const pack radius = pack(a.radius) + pair.along_segment * pack(radius_change);
   pack share;
   if (antialias_) {
     share = disc_strip_share(pair.distance, radius, disc);
@@ -194,21 +209,23 @@ inline raster::touches raster::at_centres(std::uint32_t segment, lanes<width> x,
 
 inline touch raster::at(std::uint32_t segment, int x, int y) const {
   const std::uint32_t i = fibres_.segment[segment];
+  const projected& a = point_[i];
+  const projected& b = point_[i + 1];
   const glm::vec2 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-  const bool behind_start = glm::dot(centre - pixel_[i], joint_[i]) < 0.0F;
-  const bool before_end = glm::dot(centre - pixel_[i + 1], joint_[i + 1]) < 0.0F;
+  const bool behind_start = glm::dot(centre - a.pixel, a.joint) < 0.0F;
+  const bool before_end = glm::dot(centre - b.pixel, b.joint) < 0.0F;
   if (behind_start || !before_end) {
-    const bool seen_end_on = joint_[i] == glm::vec2(0.0F) && joint_[i + 1] == glm::vec2(0.0F);
+    const bool seen_end_on = a.joint == glm::vec2(0.0F) && b.joint == glm::vec2(0.0F);
     if (!seen_end_on) return touch{0.0F, 0.0F, 0.0F};
   }
 
   const view_ray ray = view_.ray(centre);
-  const closest_pair<float> pair = closest_points(ray.origin, ray.direction, position_[i], position_[i + 1]);
+  const closest_pair<float> pair = closest_points(ray.origin, ray.direction, a.position, b.position);
   const float disc = radius_at(view_.cone, pair.along_ray);
-  const float radius = mix(fibres_.radius, segment, pair.along_segment);
+  const float radius = a.radius + pair.along_segment * (b.radius - a.radius);
   const float share = antialias_ ? disc_strip_share(pair.distance, radius, disc)
                                  : (pair.distance <= std::max(radius, disc) ? 1.0F : 0.0F);
-  const float axis_depth = -mix(position_, segment, pair.along_segment).z;
+  const float axis_depth = -(a.position.z + pair.along_segment * (b.position.z - a.position.z));
   const bool in_front = std::min(pair.along_ray, axis_depth) >= view_.near_plane;
   return touch{pair.along_ray, in_front ? share : 0.0F, pair.along_segment};
 }

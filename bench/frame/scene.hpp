@@ -32,6 +32,13 @@ struct scene {
   /// Radiance of a fibre toward `to_eye` (unit) at a place on a segment, linear RGB.
   [[nodiscard]] glm::vec3 fibre_radiance(std::uint32_t segment, float along, const glm::vec3& to_eye) const;
 
+  /// Prepares fibre_radiance() at a position: see shadow_map::prefetch().
+  void prefetch(const glm::vec3& position, int step) const {
+    for (const lit& l : lights) {
+      if (l.shadow) l.shadow->prefetch(position, step);
+    }
+  }
+
   /// Radiance of an opaque object where a ray hits it.
   [[nodiscard]] glm::vec3 solid_radiance(const glm::vec3& position, const solid_hit& hit) const;
 

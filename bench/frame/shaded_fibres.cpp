@@ -11,6 +11,7 @@ namespace pelage::frame {
 namespace {
 
 constexpr std::uint32_t most_intervals = 64;
+constexpr std::uint32_t block = 32;  ///< segments whose shadows are fetched together
 
 }  // namespace
 
@@ -25,14 +26,29 @@ shaded_fibres::shaded_fibres(const scene& world, const raster& from, float spaci
   for (std::uint32_t& first : first_)
     next += std::exchange(first, next);
   place_.resize(next);
-  tbb::parallel_for(0U, segments, [&](std::uint32_t s) {
+  tbb::parallel_for(0U, (segments + block - 1) / block, [&](std::uint32_t b) {
+    const std::uint32_t begin = b * block;
+    const std::uint32_t end = std::min(begin + block, segments);
+    for (const int step : {0, 1})
+      for_each_place(begin, end, [&](std::uint32_t, std::uint32_t s, float along) {
+        world_.prefetch(fibres.mix(fibres.point, s, along), step);
+      });
+    for_each_place(begin, end,
+                   [&](std::uint32_t place, std::uint32_t s, float along) { place_[place] = evaluate(s, along); });
+  });
+}
+
+template <class Visit>
+void shaded_fibres::for_each_place(std::uint32_t begin, std::uint32_t end, Visit&& visit) const {
+  const strands& fibres = from_.fibres();
+  for (std::uint32_t s = begin; s < end; ++s) {
     const std::uint32_t point = fibres.segment[s];
     const std::uint32_t first = first_[point];
     const std::uint32_t count = first_[point + 1] - first;
     for (std::uint32_t i = 0; i < count; ++i)
-      place_[first + i] = evaluate(s, static_cast<float>(i) / static_cast<float>(count));
-    if ((fibres.end_of[point + 1] & strands::last) != 0) place_[first + count] = evaluate(s, 1.0F);
-  });
+      visit(first + i, s, static_cast<float>(i) / static_cast<float>(count));
+    if ((fibres.end_of[point + 1] & strands::last) != 0) visit(first + count, s, 1.0F);
+  }
 }
 
 std::uint32_t shaded_fibres::intervals(std::uint32_t segment, float spacing) const {

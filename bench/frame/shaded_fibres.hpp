@@ -29,6 +29,10 @@ class shaded_fibres {
 
  private:
   [[nodiscard]] std::uint32_t intervals(std::uint32_t segment, float spacing) const;
+  /// Calls `visit(place, segment, along)` for the places of segments [begin, end).
+  template <class Visit>
+  void for_each_place(std::uint32_t begin, std::uint32_t end, Visit&& visit) const;
+
   [[nodiscard]] glm::vec3 evaluate(std::uint32_t segment, float along) const;
 
   const scene& world_;

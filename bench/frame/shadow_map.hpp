@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct passage {
 /// where a point is looked up, the depth of the nearest opaque object, and how many fibres an optical depth stands for.
 class shadow_map {
  public:
-  /// `from` must outlive the map. `translucent` off: fibres are opaque.
+  /// `from`'s fibres must outlive the map. `translucent` off: fibres are opaque.
   shadow_map(const raster& from, const solids& opaque, bool translucent);
   virtual ~shadow_map() = default;
 
@@ -35,6 +36,10 @@ class shadow_map {
   /// coverages in proportion to the optical depth: exact behind the last fibre, and wherever all are alike; 0 where
   /// none stops light. Behind an opaque object it is that of all fibres before the object.
   [[nodiscard]] passage passed_to(const glm::vec3& world, float bias) const;
+
+  /// Asks the processor to load what passed_to() will read for a position. What lies behind a pointer needs two steps:
+  /// call it for many positions with step 0, then for all of them with step 1.
+  void prefetch(const glm::vec3& world, int step) const;
 
   /// View depth of the nearest opaque object in each texel, +inf where there is none.
   [[nodiscard]] std::span<const float> limit() const { return limit_; }
@@ -50,23 +55,38 @@ class shadow_map {
   [[nodiscard]] virtual float optical_before(std::size_t texel, float depth) const = 0;
   [[nodiscard]] virtual std::uint64_t texel_bytes() const = 0;
 
+  /// A texel's part of prefetch().
+  virtual void prefetch_texel(std::size_t texel, int step) const {
+    (void)texel;
+    (void)step;
+  }
+
   /// A fragment's opacity times coverage.
   [[nodiscard]] float alpha(std::uint32_t segment, const touch& where) const;
 
   /// Says once what all fragments of a texel sum up to. `coverage`: in units of 2⁻²⁰.
   void set_sums(std::size_t texel, std::uint32_t coverage, std::uint32_t optical);
 
-  [[nodiscard]] const raster& from() const { return from_; }
   [[nodiscard]] std::size_t texels() const { return limit_.size(); }
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(from_.from().width) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(light_.width) + static_cast<std::size_t>(x);
   }
 
  private:
+  /// The upper left of four texels, and where between their centres a point lies, [0, 1].
+  struct corners {
+    std::size_t first;
+    glm::vec2 weight;
+  };
+
+  /// Of a point in the light's view; none outside the map.
+  [[nodiscard]] std::optional<corners> corners_of(const glm::vec3& in_view) const;
+
   template <class Value, class At>
   [[nodiscard]] Value mean(const glm::vec3& world, float bias, Value outside, At&& at) const;
 
-  const raster& from_;
+  const strands& fibres_;
+  view light_;
   bool translucent_;
   std::vector<float> limit_;
   std::vector<float> fibres_per_octave_;

@@ -21,7 +21,7 @@ struct lobe_settings {
   double eta = 1.55;
   double beta_m = 0.3;
   double beta_n = 0.3;
-  double tilt = 0.035;   ///< radians
+  double tilt = 0.035;   ///< of the cuticle's scales towards the tip, radians; turns R to the root
   double theta_i = 0.0;  ///< inclination of the light, radians
 };
 
@@ -32,11 +32,11 @@ class lobe_model {
   explicit lobe_model(const lobe_settings& settings)
       : settings_(settings),
         fibre_(make_chiang_fibre<double>(
-            {settings.eta, settings.sigma_a, settings.beta_m, settings.beta_n, settings.tilt})),
+            {settings.eta, settings.sigma_a, settings.beta_m, settings.beta_n, -settings.tilt})),
         marschner_(common_marschner_parameters(settings.sigma_a)) {
     marschner_.eta = settings.eta;
     marschner_.beta = 0.5 * std::sqrt(longitudinal_variance(settings.beta_m));  // θ_h is half of θ_i + θ_r
-    marschner_.alpha = settings.tilt;
+    marschner_.alpha = -settings.tilt;
     if (settings.model == "chiang") {
       names_ = {"R", "TT", "TRT", "residual"};
     } else if (settings.model == "marschner") {
@@ -98,8 +98,8 @@ class lobe_model {
     };
     // An exponent whose lobe in θ has the width that β_m stands for, and half of it for the secondary's double width.
     const double variance = longitudinal_variance(settings_.beta_m);
-    const highlight_shape primary = {static_cast<float>(1.0 / variance), static_cast<float>(2.0 * settings_.tilt)};
-    const highlight_shape secondary = {static_cast<float>(0.25 / variance), static_cast<float>(-4.0 * settings_.tilt)};
+    const highlight_shape primary = {static_cast<float>(1.0 / variance), static_cast<float>(-2.0 * settings_.tilt)};
+    const highlight_shape secondary = {static_cast<float>(0.25 / variance), static_cast<float>(4.0 * settings_.tilt)};
     const double_highlight both = kajiya_kay_double(glm::vec3(1.0f, 0.0f, 0.0f), direction(settings_.theta_i, 0.0),
                                                     direction(theta_r, phi), primary, secondary);
     const double cosine = std::cos(theta_r);

@@ -224,7 +224,7 @@ int main(int count, char** words) {
   app.add_option("--eta", settings.eta, "index of refraction")->check(CLI::Range(1.0, 3.0))->capture_default_str();
   app.add_option("--beta-m", settings.beta_m, "roughness along")->check(CLI::Range(0.01, 1.0))->capture_default_str();
   app.add_option("--beta-n", settings.beta_n, "roughness round")->check(CLI::Range(0.01, 1.0))->capture_default_str();
-  app.add_option("--tilt", tilt, "tilt of the cuticle's scales, degrees")
+  app.add_option("--tilt", tilt, "tilt of the cuticle's scales towards the tip, degrees")
       ->check(CLI::Range(-20.0, 20.0))
       ->capture_default_str();
   app.add_option("--theta", theta, "inclination of the light, degrees")
@@ -252,8 +252,11 @@ int main(int count, char** words) {
   }
   std::string name = settings.model;
   std::replace(name.begin(), name.end(), '_', '-');
-  const std::string title = fmt::format("{}, {}: η {:g}, β_m {:g}, β_n {:g}, tilt {:g}°", name, colour, settings.eta,
-                                        settings.beta_m, settings.beta_n, tilt);
+  // Kajiya and Kay's fibre has no index, Marschner's is smooth round its axis.
+  const std::string index = settings.model == "kajiya_kay" ? "" : fmt::format("η {:g}, ", settings.eta);
+  const std::string round = settings.model == "marschner" ? "" : fmt::format("β_n {:g}, ", settings.beta_n);
+  const std::string title =
+      fmt::format("{}, {}: {}β_m {:g}, {}tilt {:g}°", name, colour, index, settings.beta_m, round, tilt);
   const lobe_model model(settings);
   if (!draw(script(settings, title, out, model))) {
     fmt::print(stderr, "pelage-lobes: gnuplot did not draw {}\n", out);

@@ -156,7 +156,8 @@ float pelage_greatest(float a, float b);
 /// eˣ - 1 for |x| ≤ 0.35, relative error below 1.5e-7 in float. Outside: garbage in float.
 precise float pelage_small_exponential(float x);
 
-/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN.
+/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN, in a shader NaN or
+/// +inf.
 precise float pelage_exponential(float x);
 
 /// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is.
@@ -435,7 +436,7 @@ inline constexpr char bsdf_hair_parameters_0[] = R"glsl(// Copyright (c) 2026 Th
 inline constexpr char bsdf_hair_parameters_1[] = R"glsl()glsl";
 inline constexpr char bsdf_hair_parameters_2[] = R"glsl(
 /// Pigment in a fibre, as concentrations that multiply the absorption of human hair per radius; both [0, inf).
-/// Eumelanin browns (0.3 blond, 1.3 brown, 8 black), pheomelanin reddens.
+/// Eumelanin browns (0.1 light blond, 0.3 dark blond, 1.3 dark brown, 8 black), pheomelanin reddens.
 struct pelage_melanin {
   float eumelanin;
   float pheomelanin;
@@ -447,7 +448,8 @@ const int pelage_hair_colour_red = 1;
 const int pelage_hair_colour_brown = 2;
 const int pelage_hair_colour_black = 3;
 
-/// The pigment of a colour.
+/// The pigment of a colour: a mass of blond hair has an albedo of about 0.28, 0.19, 0.09, of red 0.09, 0.03, 0.004,
+/// of brown 0.05, 0.02, 0.004 and of black none, so that it shows its highlight only.
 pelage_melanin pelage_melanin_of(int colour);
 
 /// σ_a for red, green, blue per fibre radius, linear in both concentrations. [d'Eon 2011 §6.1; constants of Chiang
@@ -489,13 +491,13 @@ precise float pelage_albedo_fit(float beta_n) {
 
 pelage_melanin pelage_melanin_of(int colour) {
   if (colour == pelage_hair_colour_blond) {
-    return pelage_melanin(0.3, 0.05);
+    return pelage_melanin(0.1, 0.03);
   }
   if (colour == pelage_hair_colour_red) {
-    return pelage_melanin(0.1, 0.7);
+    return pelage_melanin(0.05, 0.8);
   }
   if (colour == pelage_hair_colour_brown) {
-    return pelage_melanin(1.3, 0.1);
+    return pelage_melanin(0.6, 0.06);
   }
   return pelage_melanin(8.0, 0.0);
 }
@@ -567,7 +569,8 @@ struct pelage_interface_shares {
 };
 
 /// The shares of a surface met at `cos_theta` in [0, 1], `eta` the index behind over the index before, (0, inf).
-/// cos_theta = 0 and total reflection give (1, 0). Relative error of each below 1e-6 in float.
+/// cos_theta = 0 and total reflection give (1, 0). Relative error of each below 1e-6 in float for eta ≥ 1.1; nearer to
+/// 1 that of F grows as 1/(eta - 1).
 precise pelage_interface_shares pelage_dielectric_interface(float cos_theta, float eta);
 
 /// The same with Bravais indices: light in a plane inclined to a cylinder's section refracts in the section as if
@@ -758,7 +761,7 @@ struct pelage_chiang_parameters {
   float sigma_a[3];  ///< absorption per fibre radius, [0, inf]
   float beta_m;      ///< roughness along, [0, 1]; 0 is a very narrow lobe, not a mirror
   float beta_n;      ///< roughness round, [0, 1]; likewise
-  float tilt;        ///< α of the cuticle's scales in radians, either sign; hair about 0.035 (2°)
+  float tilt;        ///< α in radians, turns R towards +x; hair, whose scales rise to the tip: -0.035 (2°)
 };
 
 /// A fibre ready for use: parameters in the form that the lobes want. `tints` and `variances` may be changed after
@@ -1831,7 +1834,7 @@ struct pelage_caustic_treatment {
 struct pelage_marschner_parameters {
   float eta;           ///< index of refraction, [1, inf); hair 1.55
   float sigma_a[3];    ///< absorption per fibre radius, [0, inf)
-  float alpha;         ///< shift of R by the tilted cuticle, hair -0.17 to -0.09; TT has -α/2, TRT -3α/2
+  float alpha;         ///< shift of R in θ_h, + to the tip, hair -0.17 to -0.09; TT has -α/2, TRT -3α/2
   float beta;          ///< standard deviation of R along the fibre, (0, inf); TT has β/2, TRT 2β
   float eccentricity;  ///< ratio of the section's axes, 1 round, hair 0.85 to 1; bends TRT only
   pelage_caustic_treatment caustic;

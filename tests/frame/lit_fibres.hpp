@@ -27,7 +27,7 @@ struct lit_fibres {
   }
 
   [[nodiscard]] frame::k_buffer_shadow map(frame::order_method method, std::uint32_t k) const {
-    frame::k_buffer_shadow made(fragments, opaque, k);
+    frame::k_buffer_shadow made(fragments, opaque);
     frame::run_order_pass(fragments, made.limit(), {method, k, {}}, made);
     return made;
   }

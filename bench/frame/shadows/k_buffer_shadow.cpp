@@ -5,25 +5,12 @@
 #include <pelage/composite/optical_depth.hpp>
 
 #include <algorithm>
+#include <bit>
 
 namespace pelage::frame {
 
-k_buffer_shadow::k_buffer_shadow(const raster& from, const solids& opaque, std::uint32_t k, bool translucent)
-    : shadow_map(from, opaque, translucent) {
-  const std::vector<std::uint32_t> same(texels(), k);
-  expect(same);
-  texel_.assign(texels(), texel{0, 0, 0});
-}
-
-void k_buffer_shadow::expect(std::span<const std::uint32_t> fragments_per_pixel) {
-  first_.resize(fragments_per_pixel.size());
-  std::size_t total = 0;
-  for (std::size_t t = 0; t < first_.size(); ++t) {
-    first_[t] = total;
-    total += fragments_per_pixel[t];
-  }
-  entry_.resize(total);
-  entry_.shrink_to_fit();
+k_buffer_shadow::k_buffer_shadow(const raster& from, const solids& opaque, bool translucent)
+    : shadow_map(from, opaque, translucent), texel_(texels(), texel{{}, 0, 0.0F}) {
 }
 
 void k_buffer_shadow::lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) {
@@ -37,11 +24,12 @@ void k_buffer_shadow::lose(int x, int y, std::span<const seen_fragment> lost, ta
 
 void k_buffer_shadow::finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) {
   texel& t = texel_[index(x, y)];
-  t.count = static_cast<std::uint32_t>(nearest.size());
   t.behind = behind.optical;
   std::uint32_t optical = 0;
   std::uint32_t coverage = behind.weight;
-  entry* out = entry_.data() + first_[index(x, y)];
+  const std::span<entry> kept = nearest.empty() ? std::span<entry>() : entries_.take(nearest.size());
+  t.nearest = kept;
+  auto out = kept.begin();
   for (const auto& [segment, where] : nearest) {
     optical = add_saturating(optical, optical_depth(alpha(segment, where)));
     coverage = add_saturating(coverage, to_fixed(where.coverage));
@@ -52,14 +40,17 @@ void k_buffer_shadow::finish(int x, int y, std::span<const seen_fragment> neares
 
 float k_buffer_shadow::optical_before(std::size_t t, float depth) const {
   const texel& here = texel_[t];
-  const entry* begin = entry_.data() + first_[t];
-  const entry* end = begin + here.count;
-  const bool behind_all = here.count > 0 && end[-1].depth < depth;
-  const entry* after =
-      behind_all ? end : std::partition_point(begin, end, [depth](const entry& e) { return e.depth < depth; });
-  std::uint32_t optical = after == begin ? 0 : after[-1].optical;
-  if (after == end && here.behind > 0) {
-    const float from = here.count > 0 ? end[-1].depth : 0.0F;
+  const std::size_t count = here.nearest.size();
+  const entry* const entries = here.nearest.data();
+  std::size_t before = 0;  // entries nearer than depth, by halving without branches
+  for (std::size_t step = std::bit_floor(count); step > 0; step /= 2) {
+    const std::size_t next = before + step;
+    const bool nearer = next <= count && entries[std::min(next, count) - 1].depth < depth;
+    before = nearer ? next : before;
+  }
+  std::uint32_t optical = before == 0 ? 0 : entries[before - 1].optical;
+  if (before == count && here.behind > 0) {
+    const float from = count > 0 ? entries[count - 1].depth : 0.0F;
     const float span = here.farthest - from;
     const float share = span > 0.0F ? saturate((depth - from) / span) : 1.0F;
     const float behind = std::min(static_cast<float>(here.behind), 4294967040.0F);  // the last float below 2^32
@@ -68,8 +59,20 @@ float k_buffer_shadow::optical_before(std::size_t t, float depth) const {
   return static_cast<float>(optical);
 }
 
+void k_buffer_shadow::prefetch_texel(std::size_t t, int step) const {
+  constexpr std::size_t line = 64 / sizeof(entry);
+  constexpr std::size_t most = 4 * line;
+  if (step == 0) {
+    __builtin_prefetch(&texel_[t]);
+    return;
+  }
+  const std::span<const entry> kept = texel_[t].nearest;
+  for (std::size_t i = 0; i < std::min(kept.size(), most); i += line)
+    __builtin_prefetch(&kept[i]);
+}
+
 std::uint64_t k_buffer_shadow::texel_bytes() const {
-  return first_.size() * sizeof(std::size_t) + texel_.size() * sizeof(texel) + entry_.size() * sizeof(entry);
+  return texel_.size() * sizeof(texel) + entries_.bytes();
 }
 
 }  // namespace pelage::frame

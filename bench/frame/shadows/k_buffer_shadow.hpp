@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "frame/array_pool.hpp"
 #include "frame/order_pass.hpp"
 #include "frame/shadow_map.hpp"
 
@@ -17,10 +18,9 @@ namespace pelage::frame {
 /// texel knows of fragments that it did not keep. With all fragments kept there is no tail and the answer is exact.
 class k_buffer_shadow final : public shadow_map, public pixel_visitor {
  public:
-  /// `k`: fragments kept a texel unless expect() announces all of them.
-  k_buffer_shadow(const raster& from, const solids& opaque, std::uint32_t k, bool translucent = true);
+  k_buffer_shadow(const raster& from, const solids& opaque, bool translucent = true);
 
-  void expect(std::span<const std::uint32_t> fragments_per_pixel) override;
+  void expect(std::span<const std::uint32_t>) override {}
   void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) override;
   void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override;
 
@@ -30,17 +30,17 @@ class k_buffer_shadow final : public shadow_map, public pixel_visitor {
     std::uint32_t optical;  ///< of this fragment and all before it
   };
   struct texel {
-    std::uint32_t count;   ///< entries in use
-    std::uint32_t behind;  ///< optical depth of the fragments that are not kept
-    float farthest;        ///< depth of the last of those
+    std::span<const entry> nearest;  ///< in order
+    std::uint32_t behind;            ///< optical depth of the fragments that are not kept
+    float farthest;                  ///< depth of the last of those
   };
 
   [[nodiscard]] float optical_before(std::size_t texel, float depth) const override;
   [[nodiscard]] std::uint64_t texel_bytes() const override;
+  void prefetch_texel(std::size_t texel, int step) const override;
 
-  std::vector<std::size_t> first_;  ///< where each texel's entries begin
   std::vector<texel> texel_;
-  std::vector<entry> entry_;
+  array_pool<entry> entries_;
 };
 
 }  // namespace pelage::frame

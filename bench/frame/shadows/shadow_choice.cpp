@@ -24,7 +24,7 @@ struct caster {
 
   /// The K nearest or, with a method that keeps all, all fragments.
   [[nodiscard]] cast_shadow in_order(order_method method) const {
-    auto map = std::make_unique<k_buffer_shadow>(from, opaque, order.k, translucent);
+    auto map = std::make_unique<k_buffer_shadow>(from, opaque, translucent);
     order_options options = order;
     options.method = method;
     const order_report report = run_order_pass(from, map->limit(), options, *map);

@@ -27,7 +27,7 @@ struct chiang_parameters {
   std::array<Real, 3> sigma_a;  ///< absorption per fibre radius, [0, inf]
   Real beta_m;                  ///< roughness along, [0, 1]; 0 is a very narrow lobe, not a mirror
   Real beta_n;                  ///< roughness round, [0, 1]; likewise
-  Real tilt;                    ///< α of the cuticle's scales in radians, either sign; hair about 0.035 (2°)
+  Real tilt;                    ///< α in radians, turns R towards +x; hair, whose scales rise to the tip: -0.035 (2°)
 };
 
 /// A fibre ready for use: parameters in the form that the lobes want. `tints` and `variances` may be changed after

@@ -31,7 +31,7 @@ template <std::floating_point Real>
 struct marschner_parameters {
   Real eta;                     ///< index of refraction, [1, inf); hair 1.55
   std::array<Real, 3> sigma_a;  ///< absorption per fibre radius, [0, inf)
-  Real alpha;                   ///< shift of R by the tilted cuticle, hair -0.17 to -0.09; TT has -α/2, TRT -3α/2
+  Real alpha;                   ///< shift of R in θ_h, + to the tip, hair -0.17 to -0.09; TT has -α/2, TRT -3α/2
   Real beta;                    ///< standard deviation of R along the fibre, (0, inf); TT has β/2, TRT 2β
   Real eccentricity;            ///< ratio of the section's axes, 1 round, hair 0.85 to 1; bends TRT only
   caustic_treatment<Real> caustic;

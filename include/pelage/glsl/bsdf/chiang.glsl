@@ -24,7 +24,7 @@ struct pelage_chiang_parameters {
   float sigma_a[3];  ///< absorption per fibre radius, [0, inf]
   float beta_m;      ///< roughness along, [0, 1]; 0 is a very narrow lobe, not a mirror
   float beta_n;      ///< roughness round, [0, 1]; likewise
-  float tilt;        ///< α of the cuticle's scales in radians, either sign; hair about 0.035 (2°)
+  float tilt;        ///< α in radians, turns R towards +x; hair, whose scales rise to the tip: -0.035 (2°)
 };
 
 /// A fibre ready for use: parameters in the form that the lobes want. `tints` and `variances` may be changed after

@@ -27,7 +27,7 @@ struct pelage_caustic_treatment {
 struct pelage_marschner_parameters {
   float eta;           ///< index of refraction, [1, inf); hair 1.55
   float sigma_a[3];    ///< absorption per fibre radius, [0, inf)
-  float alpha;         ///< shift of R by the tilted cuticle, hair -0.17 to -0.09; TT has -α/2, TRT -3α/2
+  float alpha;         ///< shift of R in θ_h, + to the tip, hair -0.17 to -0.09; TT has -α/2, TRT -3α/2
   float beta;          ///< standard deviation of R along the fibre, (0, inf); TT has β/2, TRT 2β
   float eccentricity;  ///< ratio of the section's axes, 1 round, hair 0.85 to 1; bends TRT only
   pelage_caustic_treatment caustic;
