@@ -38,7 +38,7 @@ struct view_report {
 };
 
 /// Uploads what does not change from frame to frame: the strands and the order of drawing them. Without a given order
-/// segments that lie near each other in space are drawn together.
+/// strands that grow near each other are drawn together: they lie near each other in the picture, too.
 /// Throws std::runtime_error for more points than a segment's word can number.
 void upload_fibres(device& to, const strands& fibres, std::span<const std::uint32_t> drawing_order);
 
