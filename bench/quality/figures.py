@@ -14,7 +14,7 @@ arguments.add_argument("root", type=pathlib.Path)
 arguments.add_argument("files", nargs="*", type=pathlib.Path, help=".hair or .tfx files to measure as well")
 arguments.add_argument("--strands", default="10000", help="of the built-in model")
 arguments.add_argument("--size", default="512", help="pixels a side that lists are taken from")
-arguments.add_argument("--rounds", type=int, default=3, help="of all frames; the median time counts")
+arguments.add_argument("--rounds", type=int, default=3, help="of all frames; the shortest time counts")
 given = arguments.parse_intermixed_args()
 
 pictures = given.root / "bench" / "quality" / "pictures"
