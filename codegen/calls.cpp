@@ -22,10 +22,6 @@ bool overlap(const std::string& a, const std::string& b) {
   return longer.size() == shorter.size() || longer[shorter.size()] == '.' || longer[shorter.size()] == '[';
 }
 
-bool writes_to(QualType parameter) {
-  return parameter->isLValueReferenceType() && !parameter.getNonReferenceType().isConstQualified();
-}
-
 }  // namespace
 
 /// The arguments of one of our own functions, storage left out. Checks what C++ and GLSL would do differently: order

@@ -89,10 +89,9 @@ bool translator::begin(const NamedDecl* d) {
     slot(d).where = fresh_->where;
     return false;
   }
-  const std::string problem = d->getDeclContext()->isTranslationUnit() || fresh_->name.find("__") != std::string::npos
-                                  ? bad_name(fresh_->name, false)
-                                  : std::string();
-  if (!problem.empty()) reject(d->getLocation(), problem);
+  if (d->getDeclContext()->isTranslationUnit() || fresh_->name.find("__") != std::string::npos) {
+    check_name(fresh_->name, false, d->getLocation());
+  }
   fresh_->doc = doc_above(where);
   fresh_->declared_at = {offset(where), 1u};
   fresh_->defined_at = offset(where);
@@ -190,9 +189,8 @@ std::string translator::parameters(const FunctionDecl* f) {
     if (p->getType()->isRValueReferenceType()) reject(p->getLocation(), "rvalue reference");
     const glsl_type type = type_of(p->getType(), p->getLocation());
     const std::string name = p->getNameAsString().empty() ? std::string() : local_name(p);
-    const bool writes = p->getType()->isReferenceType() && !p->getType().getNonReferenceType().isConstQualified();
     const std::string declared = name.empty() ? type.text() : type.declare(name);
-    list += (list.empty() ? "" : ", ") + std::string(writes ? "inout " : "") + declared;
+    list += (list.empty() ? "" : ", ") + std::string(writes_to(p->getType()) ? "inout " : "") + declared;
     fresh_->signature += type.text() + ",";
   }
   return list;
@@ -214,8 +212,7 @@ void translator::translate_record(const CXXRecordDecl* r) {
     if (f->getAccess() != AS_public) reject(f->getLocation(), "member that is not public");
     if (f->getType()->isReferenceType()) reject(f->getLocation(), "reference as a member");
     if (f->hasInClassInitializer()) reject(f->getLocation(), "member with a default value");
-    const std::string problem = bad_name(f->getNameAsString(), true);
-    if (!problem.empty()) reject(f->getLocation(), problem);
+    check_name(f->getNameAsString(), true, f->getLocation());
     const std::string doc = doc_beside(f->getLocation());
     text += doc_above(f->getBeginLoc());
     text += type_of(f->getType(), f->getLocation()).declare(f->getNameAsString()) + ";  " + doc + "\n";

@@ -3,34 +3,11 @@
 #include "names.hpp"
 #include "translator.hpp"
 
-#include <clang/Lex/Lexer.h>
-
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdlib>
 
 namespace pelage::codegen {
 
 using namespace clang;
-
-namespace {
-
-std::string with_point(std::string digits) {
-  if (digits.find_first_of(".e") == std::string::npos) return digits + ".0";
-  if (digits.back() == '.') return digits + "0";
-  return digits;
-}
-
-std::string shortest(float value) {
-  if (std::isinf(value)) return value > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
-  if (std::isnan(value)) return "uintBitsToFloat(0x7fc00000u)";
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return with_point(std::string(text, end));
-}
-
-}  // namespace
 
 bool has_size(const Stmt* s) {
   if (isa<SubstNonTypeTemplateParmExpr>(s)) return true;
@@ -40,97 +17,6 @@ bool has_size(const Stmt* s) {
 std::string translator::reject(SourceLocation where, const std::string& reason) {
   found_.add(where, reason);
   return "0";
-}
-
-/// As it is spelled, where that means the same float in both languages.
-std::string translator::literal(const FloatingLiteral* l) {
-  llvm::APFloat value = l->getValue();
-  bool inexact = false;
-  value.convert(llvm::APFloat::IEEEsingle(), llvm::APFloat::rmNearestTiesToEven, &inexact);
-  const float wanted = value.convertToFloat();
-  const CharSourceRange range = CharSourceRange::getTokenRange(sources_.getSpellingLoc(l->getBeginLoc()));
-  std::string spelled = Lexer::getSourceText(range, sources_, context_.getLangOpts()).str();
-  spelled.erase(std::remove(spelled.begin(), spelled.end(), '\''), spelled.end());
-  while (!spelled.empty() && std::string("fFlL").find(spelled.back()) != std::string::npos)
-    spelled.pop_back();
-  const bool decimal = spelled.find_first_not_of("0123456789.e+-") == std::string::npos && !spelled.empty();
-  return decimal && std::strtof(spelled.c_str(), nullptr) == wanted ? with_point(spelled) : shortest(wanted);
-}
-
-std::string translator::literal(const IntegerLiteral* l, QualType as) {
-  const std::string digits = llvm::toString(l->getValue(), 10, false);
-  if (as->isFloatingType()) return with_point(digits);
-  if (as->isBooleanType()) return l->getValue() == 0 ? "false" : "true";
-  const CharSourceRange range = CharSourceRange::getTokenRange(sources_.getSpellingLoc(l->getBeginLoc()));
-  std::string spelled = Lexer::getSourceText(range, sources_, context_.getLangOpts()).str();
-  spelled.erase(std::remove(spelled.begin(), spelled.end(), '\''), spelled.end());
-  std::string text = spelled.rfind("0x", 0) == 0 ? spelled.substr(0, spelled.find_first_of("uUlL")) : digits;
-  const bool wide = context_.getTypeSize(as) == 64;
-  if (as->isUnsignedIntegerType()) text += "u";
-  return wide ? text + "l" : text;
-}
-
-/// A value that the compiler knows, as a literal.
-std::string translator::constant(const Expr* e) {
-  Expr::EvalResult result;
-  if (!e->EvaluateAsRValue(result, context_) || result.HasSideEffects) return {};
-  if (result.Val.isFloat()) {
-    llvm::APFloat value = result.Val.getFloat();
-    bool inexact = false;
-    value.convert(llvm::APFloat::IEEEsingle(), llvm::APFloat::rmNearestTiesToEven, &inexact);
-    return shortest(value.convertToFloat());
-  }
-  if (result.Val.isInt()) {
-    const std::string text = llvm::toString(result.Val.getInt(), 10);
-    if (e->getType()->isBooleanType()) return text == "0" ? "false" : "true";
-    return text + (e->getType()->isUnsignedIntegerType() ? "u" : "") +
-           (context_.getTypeSize(e->getType()) == 64 ? "l" : "");
-  }
-  return {};
-}
-
-/// The value of an expression of constants as glslang computes it: in double, from the decimals. C++ rounds each step
-/// to float, so where the two differ the mirror holds the result in the expression's place.
-bool translator::fold(const Expr* e, double& value) {
-  e = e->IgnoreParenCasts();
-  if (const auto* x = dyn_cast<FloatingLiteral>(e)) {
-    value = std::strtod(literal(x).c_str(), nullptr);
-    return true;
-  }
-  if (const auto* x = dyn_cast<IntegerLiteral>(e)) {
-    value = static_cast<double>(x->getValue().getZExtValue());
-    return true;
-  }
-  if (const auto* x = dyn_cast<DeclRefExpr>(e)) {
-    const auto* v = dyn_cast<VarDecl>(x->getDecl());
-    const Expr* init = v == nullptr || !v->getType().isConstQualified() ? nullptr : v->getAnyInitializer();
-    return init != nullptr && fold(init, value);
-  }
-  if (const auto* x = dyn_cast<UnaryOperator>(e)) {
-    if (x->getOpcode() != UO_Minus || !fold(x->getSubExpr(), value)) return false;
-    value = -value;
-    return true;
-  }
-  const auto* x = dyn_cast<BinaryOperator>(e);
-  double left = 0.0;
-  double right = 0.0;
-  if (x == nullptr || !fold(x->getLHS(), left) || !fold(x->getRHS(), right)) return false;
-  switch (x->getOpcode()) {
-    case BO_Add:
-      value = left + right;
-      return true;
-    case BO_Sub:
-      value = left - right;
-      return true;
-    case BO_Mul:
-      value = left * right;
-      return true;
-    case BO_Div:
-      value = left / right;
-      return true;
-    default:
-      return false;
-  }
 }
 
 std::string translator::expression(const Expr* e, position at) {
@@ -185,11 +71,7 @@ std::string translator::expression(const Expr* e, position at) {
     }
     if (x->isPtrMemOp()) return reject(x->getOperatorLoc(), "pointer to member");
     arithmetic_ = arithmetic_ || (x->getType()->isFloatingType() && !x->isComparisonOp());
-    if (x->getType()->isFloatingType() && !has_size(x)) {
-      double folded = 0.0;
-      const std::string exact = constant(x);
-      if (!exact.empty() && (!fold(x, folded) || exact != shortest(static_cast<float>(folded)))) return exact;
-    }
+    if (const std::string value = rounded(x); !value.empty()) return value;
     return expression(x->getLHS()) + " " + x->getOpcodeStr().str() + " " + expression(x->getRHS());
   }
   return unsupported(e);

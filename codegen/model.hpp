@@ -69,6 +69,9 @@ struct unit {
   bool uses_atomic_int64 = false;
 };
 
+/// How every file begins.
+inline constexpr const char* licence = "// Copyright (c) 2026 The Pelage authors\n// SPDX-License-Identifier: MIT\n";
+
 /// The whole text of one .glsl, formatted.
 [[nodiscard]] std::string file_text(const unit& u, problems& found);
 

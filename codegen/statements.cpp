@@ -159,7 +159,7 @@ std::string translator::range_loop(const CXXForRangeStmt* s) {
   const std::string index = "pelage_" + name + "_index";
   const std::string item = expression(range) + "[" + index + "]";
   std::string first;
-  if (v->getType()->isReferenceType() && !v->getType().getNonReferenceType().isConstQualified()) {
+  if (writes_to(v->getType())) {
     renamed_[v] = item;
   } else {
     const bool constant = v->getType().isConstQualified();
@@ -250,12 +250,16 @@ std::string translator::variable(const VarDecl* v) {
   return (constant ? "const " : "") + declared + " = " + expression(init, position::whole);
 }
 
+void translator::check_name(const std::string& name, bool is_field, SourceLocation where) {
+  const std::string problem = bad_name(name, is_field);
+  if (!problem.empty()) reject(where, problem);
+}
+
 /// The name of a local or a parameter, kept. In functions that reach the shader's cells every one gets a prefix that
 /// no shader's name has, for there the shader's own text is expanded among them.
 std::string translator::local_name(const ValueDecl* v) {
   const std::string name = v->getNameAsString();
-  const std::string problem = bad_name(name, false);
-  if (!problem.empty()) reject(v->getLocation(), problem);
+  check_name(name, false, v->getLocation());
   if (name.rfind("pelage_", 0) == 0 || name.rfind("PELAGE_", 0) == 0) {
     reject(v->getLocation(), "the name `" + name + "` begins like the mirror's global names");
   }

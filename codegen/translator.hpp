@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include <string>
@@ -34,6 +35,11 @@ enum class position { whole, part };
 
 /// True where a template's integer parameter stands in a statement, which a shader may set otherwise.
 [[nodiscard]] bool has_size(const clang::Stmt* s);
+
+/// True for a parameter or a loop's variable through which something else is written to.
+[[nodiscard]] inline bool writes_to(clang::QualType variable) {
+  return variable->isLValueReferenceType() && !variable.getNonReferenceType().isConstQualified();
+}
 
 /// The /// lines that end right above the line of an offset.
 [[nodiscard]] std::string doc_lines_above(llvm::StringRef text, std::size_t offset);
@@ -102,17 +108,22 @@ class translator {
 
   // expressions.cpp
   std::string expression(const clang::Expr* e, position at = position::part);
-  std::string literal(const clang::FloatingLiteral* l);
-  std::string literal(const clang::IntegerLiteral* l, clang::QualType as);
   std::string conversion(const clang::CastExpr* c, position at);
   std::string reference(const clang::DeclRefExpr* r);
   std::string member(const clang::MemberExpr* m);
   std::string listed(const std::vector<const clang::Expr*>& values);
   std::string initializer_list(const clang::InitListExpr* l);
-  std::string constant(const clang::Expr* e);
-  bool fold(const clang::Expr* e, double& value);
   std::string unsupported(const clang::Expr* e);
   std::string reject(clang::SourceLocation where, const std::string& reason);
+
+  // literals.cpp
+  std::string spelling(clang::SourceLocation literal) const;
+  std::string literal(const clang::FloatingLiteral* l);
+  std::string literal(const clang::IntegerLiteral* l, clang::QualType as);
+  std::string suffix(clang::QualType integer) const;
+  std::string constant(const clang::Expr* e);
+  std::optional<double> folded(const clang::Expr* e);
+  std::string rounded(const clang::BinaryOperator* x);
 
   // calls.cpp
   std::string call(const clang::CallExpr* c, position at);
@@ -143,6 +154,7 @@ class translator {
   std::string variables(const clang::DeclStmt* s);
   std::string variable(const clang::VarDecl* v);
   static bool names_constant(const clang::VarDecl* v);
+  void check_name(const std::string& name, bool is_field, clang::SourceLocation where);
   std::string local_name(const clang::ValueDecl* v);
   std::string sequence(clang::Stmt::const_child_range statements, clang::SourceLocation end);
 

@@ -8,7 +8,6 @@
 #include <tbb/task_arena.h>
 #include <unistd.h>
 
-#include <cstring>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -19,25 +18,17 @@
 #include "frame/command_line.hpp"
 #include "frame/follow_strands.hpp"
 #include "frame/frame.hpp"
-#include "frame/hair_file.hpp"
-#include "frame/input_file.hpp"
+#include "frame/load_model.hpp"
 #include "frame/output_file.hpp"
-#include "frame/tfx_file.hpp"
 #include "frame/vulkan/device_frame.hpp"
 
 namespace {
 
 using namespace pelage::frame;
 
-/// The two formats are told apart by what they begin with: a .tfx has a version number there.
-bool begins_as_hair(const std::string& path) {
-  const input_file file(path);
-  return file.size() < 4 || std::memcmp(file.bytes().data(), "HAIR", 4) == 0;
-}
-
 hair_model load(const command_line& c) {
   if (c.hair.empty()) return make_built_in(c.strands, c.segments, c.seed);
-  hair_model model = begins_as_hair(c.hair) ? load_hair(c.hair) : load_tfx(c.hair);
+  hair_model model = load_model(c.hair);
   if (c.follow == 0) return model;
   const box bounds = model.bounds();
   const float size = bounds.empty() ? 1.0F : glm::length(bounds.upper - bounds.lower);

@@ -156,7 +156,8 @@ float pelage_greatest(float a, float b);
 /// eˣ - 1 for |x| ≤ 0.35, relative error below 1.5e-7 in float. Outside: garbage in float.
 precise float pelage_small_exponential(float x);
 
-/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN.
+/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN, in a shader NaN or
+/// +inf.
 precise float pelage_exponential(float x);
 
 /// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is.
@@ -568,7 +569,8 @@ struct pelage_interface_shares {
 };
 
 /// The shares of a surface met at `cos_theta` in [0, 1], `eta` the index behind over the index before, (0, inf).
-/// cos_theta = 0 and total reflection give (1, 0). Relative error of each below 1e-6 in float.
+/// cos_theta = 0 and total reflection give (1, 0). Relative error of each below 1e-6 in float for eta ≥ 1.1; nearer to
+/// 1 that of F grows as 1/(eta - 1).
 precise pelage_interface_shares pelage_dielectric_interface(float cos_theta, float eta);
 
 /// The same with Bravais indices: light in a plane inclined to a cylinder's section refracts in the section as if

@@ -111,5 +111,18 @@ $head
 #include "pelage/glsl/order/k_buffer.glsl"
 void main() {}
 END
+said 'sizes that do not fit each other' 'a slab must be whole words of 32 slices, or lie inside one' <<END
+$head
+#define PELAGE_OCCUPANCY_MAP_SLICES 96
+#define PELAGE_OCCUPANCY_MAP_SLABS 2
+#include "pelage/glsl/visibility/occupancy_map.glsl"
+void main() {}
+END
+said 'a size out of range in a function' 'pelage::atomic_k_buffer: K must be in [1, 64]' <<END
+$head
+#define PELAGE_ATOMIC_K_BUFFER_K 0
+#include "pelage/glsl/order/atomic_k_buffer.glsl"
+void main() {}
+END
 ((status)) || echo "${#files[@]} files of the mirror are valid GLSL, alone and together"
 exit $status

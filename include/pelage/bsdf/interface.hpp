@@ -14,7 +14,8 @@ struct interface_shares {
 };
 
 /// The shares of a surface met at `cos_theta` in [0, 1], `eta` the index behind over the index before, (0, inf).
-/// cos_theta = 0 and total reflection give (1, 0). Relative error of each below 1e-6 in float.
+/// cos_theta = 0 and total reflection give (1, 0). Relative error of each below 1e-6 in float for eta ≥ 1.1; nearer to
+/// 1 that of F grows as 1/(eta - 1).
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline interface_shares<Real> dielectric_interface(Real cos_theta, Real eta) noexcept;
 

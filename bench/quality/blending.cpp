@@ -1,0 +1,157 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "quality/blending.hpp"
+
+#include <pelage/composite/order_weighted.hpp>
+#include <pelage/composite/radiance.hpp>
+#include <pelage/composite/stochastic.hpp>
+#include <pelage/composite/weighted_sum.hpp>
+#include <pelage/core/mixed_bits.hpp>
+#include <pelage/visibility/occupancy_map.hpp>
+
+#include <cmath>
+#include <string>
+
+#include "frame/blends/unordered.hpp"
+#include "quality/difference.hpp"
+#include "quality/visibility_methods.hpp"
+
+namespace pelage::frame {
+namespace {
+
+glm::vec3 random_colour(std::uint32_t strand) {
+  const auto channel = [strand](std::uint32_t c) {
+    return static_cast<float>(mixed_bits(3U * strand + c) >> 8U) / 16777216.0F;
+  };
+  return {channel(0), channel(1), channel(2)};
+}
+
+/// A pixel whose fragments are to be blended: sorted, which the methods without order make no use of.
+struct pixel {
+  texel t;
+  std::vector<layer> layers;
+  std::uint32_t number;
+};
+
+constexpr glm::vec3 background(0.8F);
+
+/// The first k sorted, the others as their tail; k from the list's length on: the truth.
+glm::vec3 by_nearest(const pixel& p, std::size_t k) {
+  pixel_radiance<float> sum = empty_pixel<float>();
+  tail behind = empty_tail();
+  for (std::size_t i = 0; i < p.layers.size(); ++i) {
+    const layer& l = p.layers[i];
+    if (i < k) {
+      sum = add_fibre(sum, l.radiance, glm::vec3(0.0F), l.alpha);
+    } else {
+      behind = add_fragment(behind, l.alpha, l.radiance);
+    }
+  }
+  sum = add_fibre(sum, mean_colour(behind), glm::vec3(transmittance_of(behind)), 1.0F);
+  return resolve(sum, background);
+}
+
+/// Weighs each fragment by what 32 layers between the pixel's nearest and farthest depth let through to it.
+/// `corrected`: the sum is scaled to what the fibres cover.
+glm::vec3 by_deep_opacity(const pixel& p, bool corrected) {
+  std::vector<float> depths;
+  for (const layer& l : p.layers)
+    depths.push_back(l.where.depth);
+  std::vector<float> passed(depths.size());
+  std::uint64_t unused = 0;
+  visibility_method_named("deep opacity 32").estimate(p.t, depths, passed, unused);
+  tail sum = empty_tail();
+  glm::vec3 colour(0.0F);
+  for (std::size_t i = 0; i < p.layers.size(); ++i) {
+    const layer& l = p.layers[i];
+    sum = add_weighted(sum, l.alpha, l.alpha * passed[i], l.radiance);
+    colour += l.alpha * passed[i] * l.radiance;
+  }
+  return corrected ? resolve(sum, background) : colour + transmittance_of(sum) * background;
+}
+
+/// The paper's own weight: the order is counted, and all fragments have the mean alpha.
+glm::vec3 by_counted_order(const pixel& p) {
+  const auto slice = [&](const layer& l) {
+    return std::floor(slice_position(p.t.range.relative(l.where.depth), 127U));
+  };
+  occupancy_map<> map = occupancy_map<>::empty();
+  float mean = 0.0F;
+  for (const layer& l : p.layers) {
+    map.add(slice(l), 1U);
+    mean += l.alpha / static_cast<float>(p.layers.size());
+  }
+  tail sum = empty_tail();
+  for (const layer& l : p.layers) {
+    const float before = mean > 0.0F ? order_weight(mean, map.amount_before(slice(l))) / mean : 1.0F;
+    sum = add_weighted(sum, l.alpha, l.alpha * before, l.radiance);
+  }
+  return resolve(sum, background);
+}
+
+template <std::uint32_t Samples>
+glm::vec3 by_samples(const pixel& p) {
+  return blend_stochastic<Samples>(p.layers, background, stochastic_stream(1U, p.number));
+}
+
+struct blending {
+  std::string name;
+  glm::vec3 (*blend)(const pixel&);
+};
+
+const std::vector<blending> blendings{
+    {"K-buffer 4", [](const pixel& p) { return by_nearest(p, 4); }},
+    {"K-buffer 8", [](const pixel& p) { return by_nearest(p, 8); }},
+    {"K-buffer 16", [](const pixel& p) { return by_nearest(p, 16); }},
+    {"K-buffer 32", [](const pixel& p) { return by_nearest(p, 32); }},
+    {"deep opacity 32", [](const pixel& p) { return by_deep_opacity(p, false); }},
+    {"deep opacity 32, corrected", [](const pixel& p) { return by_deep_opacity(p, true); }},
+    {"order-weighted, counted", by_counted_order},
+    {"order-weighted, optical", [](const pixel& p) { return blend_order_weighted(p.layers, background); }},
+    {"weighted average", [](const pixel& p) { return blend_weighted_average(p.layers, background); }},
+    {"weighted blended", [](const pixel& p) { return blend_weighted_blended(p.layers, background); }},
+    {"stochastic 8", by_samples<8>},
+    {"stochastic 32", by_samples<32>},
+};
+
+/// The strand of each point.
+std::vector<std::uint32_t> strands_of(const strands& fibres) {
+  std::vector<std::uint32_t> strand(fibres.point.size(), 0);
+  for (std::size_t i = 1; i < strand.size(); ++i)
+    strand[i] = strand[i - 1] + ((fibres.end_of[i] & strands::first) != 0 ? 1U : 0U);
+  return strand;
+}
+
+}  // namespace
+
+nlohmann::json measure_blending(const lists& camera, const strands& fibres, float alpha) {
+  const std::vector<std::uint32_t> strand_of = strands_of(fibres);
+  std::vector<difference> errors(blendings.size());
+  for (std::size_t n = 0; n < camera.pixels(); ++n) {
+    const std::span<const sample> list = camera.of(n);
+    if (list.empty()) continue;
+    pixel p{{list, {}, depth_range::empty(), depth_range::empty(), list.back().depth - list.front().depth},
+            {},
+            static_cast<std::uint32_t>(n)};
+    p.t.range.extend(list.front().depth);
+    p.t.range.extend(list.back().depth);
+    for (const sample& s : list) {
+      p.t.optical.push_back(optical_depth(alpha * s.coverage));
+      p.layers.push_back({{s.depth, s.id}, alpha * s.coverage, random_colour(strand_of[fibres.segment[s.id]])});
+    }
+    const glm::vec3 truth = by_nearest(p, list.size());
+    for (std::size_t b = 0; b < blendings.size(); ++b) {
+      const glm::vec3 d = blendings[b].blend(p) - truth;
+      for (int c = 0; c < 3; ++c)
+        errors[b].see(double{d[c]});
+    }
+  }
+  nlohmann::json result{{"alpha", alpha}, {"fragments", camera.fragments()}};
+  for (std::size_t b = 0; b < blendings.size(); ++b) {
+    result["methods"].push_back(
+        {{"name", blendings[b].name}, {"rms", errors[b].rms()}, {"maximum", errors[b].largest}});
+  }
+  return result;
+}
+
+}  // namespace pelage::frame
