@@ -51,8 +51,9 @@ class device {
   void upload(std::uint32_t binding, std::span<const std::byte> from);
   void download(std::uint32_t binding, std::span<std::byte> to);
 
-  /// Runs the steps one after another. Milliseconds of each, by the device's clock.
+  /// Runs the steps, most_steps at most, one after another. Milliseconds of each, by the device's clock.
   [[nodiscard]] std::vector<double> run(std::span<const step> steps);
+  static constexpr std::uint32_t most_steps = 255;
 
  private:
   void pick();

@@ -6,6 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 #extension GL_EXT_shader_atomic_int64 : require
+#define READS_WHILE_OTHERS_WRITE
 #include "draw.glsl"
 #include "lists.glsl"
 #include "slots.glsl"

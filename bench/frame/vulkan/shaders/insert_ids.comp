@@ -4,6 +4,7 @@
 // In: points, limits, slots. Out: slots, pool, links, seen. One invocation a segment; bounded by K loads a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#define READS_WHILE_OTHERS_WRITE
 #include "draw.glsl"
 #include "lists.glsl"
 #define SPLIT

@@ -5,6 +5,7 @@
 // dependent load a step.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#define READS_WHILE_OTHERS_WRITE
 #include "draw.glsl"
 #include "lists.glsl"
 

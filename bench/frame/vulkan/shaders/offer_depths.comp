@@ -4,6 +4,7 @@
 // limits. Out: slots. One invocation a segment; bounded by up to K atomic minima a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#define READS_WHILE_OTHERS_WRITE
 #include "draw.glsl"
 #define SPLIT
 #include "slots.glsl"

@@ -78,6 +78,13 @@ const uint begins_strand = 0x80000000u;
 const uint ends_strand = 0x40000000u;
 const uint point_mask = 0x3fffffffu;
 
+/// What others write while a shader reads it is coherent; all else may be cached.
+#ifdef READS_WHILE_OTHERS_WRITE
+#define LIVE coherent
+#else
+#define LIVE
+#endif
+
 layout(std430, binding = 1) readonly buffer point_buffer { vec4 points[]; };  ///< world position, radius
 layout(std430, binding = 2) readonly buffer tangent_buffer { float tangents[]; };
 layout(std430, binding = 3) readonly buffer colour_buffer { float colours[]; };
@@ -86,16 +93,16 @@ layout(std430, binding = 5) readonly buffer segment_buffer { uint segments[]; };
 layout(std430, binding = 6) buffer record_buffer { uvec4 records[]; };  ///< a fragment, its coverage, where it lies
 layout(std430, binding = 7) buffer limit_buffer { float limits[]; };  ///< a pixel of a view: hidden from this depth on
 layout(std430, binding = 8) buffer sample_buffer { float sample_depths[]; };  ///< nine a pixel of the camera
-layout(std430, binding = 9) coherent buffer count_buffer { uint counts[]; };  ///< room a pixel wants, then its next free place
+layout(std430, binding = 9) buffer count_buffer { uint counts[]; };  ///< room a pixel wants, then its next free place
 layout(std430, binding = 10) buffer run_buffer { uvec2 runs[]; };  ///< a pixel's part of the pool, [x, y)
-layout(std430, binding = 11) coherent buffer pool_buffer { pelage_fragment pool[]; };
+layout(std430, binding = 11) LIVE buffer pool_buffer { pelage_fragment pool[]; };
 layout(std430, binding = 12) buffer texel_buffer { uvec4 texels[]; };   ///< a pixel of a light: see light_sink.glsl
 layout(std430, binding = 13) buffer entry_buffer { uvec2 entries[]; };  ///< depth, optical depth up to and including
 layout(std430, binding = 14) buffer shaded_buffer { uvec2 shaded[]; };  ///< a point: radiance, opacity; four halves
 layout(std430, binding = 15) buffer seen_buffer { uint seen[]; };  ///< a point: the camera sees the segment from it on
 layout(std430, binding = 16) buffer picture_buffer { float picture[]; };  ///< linear RGB
-layout(std430, binding = 17) coherent buffer report_buffer { view_report reports[]; };  ///< one a view
-layout(std430, binding = 18) coherent buffer link_buffer { uint links[]; };
+layout(std430, binding = 17) buffer report_buffer { view_report reports[]; };  ///< one a view
+layout(std430, binding = 18) LIVE buffer link_buffer { uint links[]; };
 
 #define VIEW scene.views[push.view]
 

@@ -7,7 +7,7 @@
 #include "scene.glsl"
 
 #ifdef SPLIT
-layout(std430, binding = 19) coherent buffer slot_buffer { uint slots[]; };
+layout(std430, binding = 19) LIVE buffer slot_buffer { uint slots[]; };
 #define PELAGE_ATOMIC_SPLIT_SLOT_STORAGE_DEPTHS(i) slots[i]
 #define PELAGE_ATOMIC_SPLIT_SLOT_STORAGE_IDS(i) slots[uint(slots.length()) / 2u + i]
 #define PELAGE_TWO_PASS_K_BUFFER_K K
@@ -17,7 +17,7 @@ pelage_fragment slot_at(uint pixel, uint i) {
   return pelage_two_pass_k_buffer_at(pixel, i);
 }
 #else
-layout(std430, binding = 19) coherent buffer slot_buffer { uint64_t slots[]; };
+layout(std430, binding = 19) LIVE buffer slot_buffer { uint64_t slots[]; };
 #define PELAGE_ATOMIC_SLOT_STORAGE_SLOTS(i) slots[i]
 #define PELAGE_ATOMIC_K_BUFFER_K K
 #include "pelage/glsl/order/atomic_k_buffer.glsl"

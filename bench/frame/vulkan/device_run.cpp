@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "frame/vulkan/device.hpp"
+
+namespace pelage::frame::vulkan {
+namespace {
+
+constexpr std::uint32_t most_groups = 65535;  ///< along one axis, on any device
+
+}  // namespace
+
+void device::begin() {
+  check(vk_.vkResetCommandPool(device_, commands_, 0), "vkResetCommandPool");
+  VkCommandBufferBeginInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+  info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+  check(vk_.vkBeginCommandBuffer(record_, &info), "vkBeginCommandBuffer");
+}
+
+void device::submit(const std::string& what) {
+  VkMemoryBarrier to_host{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT,
+                          VK_ACCESS_HOST_READ_BIT};
+  vk_.vkCmdPipelineBarrier(record_, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &to_host, 0,
+                           nullptr, 0, nullptr);
+  check(vk_.vkEndCommandBuffer(record_), "vkEndCommandBuffer");
+  VkSubmitInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
+  info.commandBufferCount = 1;
+  info.pCommandBuffers = &record_;
+  check(vk_.vkQueueSubmit(queue_, 1, &info, VK_NULL_HANDLE), what);
+  check(vk_.vkQueueWaitIdle(queue_), what);
+}
+
+VkPipeline device::pipeline(const std::string& name) {
+  VkPipeline& p = pipelines_[name];
+  if (p != VK_NULL_HANDLE) return p;
+  const auto k =
+      std::find_if(all_kernels.begin(), all_kernels.end(), [&](const kernel& one) { return one.name == name; });
+  if (k == all_kernels.end()) throw std::invalid_argument("--device vulkan: there is no kernel " + name);
+  VkShaderModuleCreateInfo module{};
+  module.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+  module.codeSize = k->spirv.size_bytes();
+  module.pCode = k->spirv.data();
+  VkShaderModule shader = VK_NULL_HANDLE;
+  check(vk_.vkCreateShaderModule(device_, &module, nullptr, &shader), name);
+  const std::array<std::uint32_t, 2> constants{workgroup_, subgroup_};
+  const std::array<VkSpecializationMapEntry, 2> entries{{{0, 0, 4}, {1, 4, 4}}};
+  const VkSpecializationInfo special{2, entries.data(), sizeof constants, constants.data()};
+  VkComputePipelineCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  info.stage.module = shader;
+  info.stage.pName = "main";
+  info.stage.pSpecializationInfo = &special;
+  info.layout = layout_;
+  const VkResult result = vk_.vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &p);
+  vk_.vkDestroyShaderModule(device_, shader, nullptr);
+  check(result, "compiling " + name);
+  return p;
+}
+
+void device::record(const step& s) {
+  if (s.kernel.empty()) {
+    vk_.vkCmdFillBuffer(record_, buffers_.at(s.binding).handle, 0, VK_WHOLE_SIZE, s.value);
+    return;
+  }
+  vk_.vkCmdBindPipeline(record_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline(s.kernel));
+  vk_.vkCmdPushConstants(record_, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                         static_cast<std::uint32_t>(s.push.size() * sizeof(std::uint32_t)), s.push.data());
+  const std::uint64_t invocations = s.invocations * (s.by_subgroup ? subgroup_ : 1);
+  const std::uint64_t groups = std::max<std::uint64_t>((invocations + workgroup_ - 1) / workgroup_, 1);
+  const std::uint64_t across = std::min<std::uint64_t>(groups, most_groups);
+  vk_.vkCmdDispatch(record_, static_cast<std::uint32_t>(across),
+                    static_cast<std::uint32_t>((groups + across - 1) / across), 1);
+}
+
+std::vector<double> device::run(std::span<const step> steps) {
+  if (steps.size() > most_steps) throw std::invalid_argument("--device vulkan: a frame of too many passes");
+  for (const step& s : steps) {
+    if (!s.kernel.empty()) (void)pipeline(s.kernel);  // compiled before the clock starts
+  }
+  begin();
+  vk_.vkCmdResetQueryPool(record_, queries_, 0, most_steps + 1);
+  vk_.vkCmdBindDescriptorSets(record_, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 1, &set_, 0, nullptr);
+  constexpr VkPipelineStageFlags stages = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
+  VkMemoryBarrier all{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr,
+                      VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT,
+                      VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_READ_BIT |
+                          VK_ACCESS_TRANSFER_WRITE_BIT | VK_ACCESS_UNIFORM_READ_BIT};
+  vk_.vkCmdPipelineBarrier(record_, stages, stages, 0, 1, &all, 0, nullptr, 0, nullptr);
+  vk_.vkCmdWriteTimestamp(record_, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries_, 0);
+  std::uint32_t query = 0;
+  for (const step& s : steps) {
+    record(s);
+    vk_.vkCmdPipelineBarrier(record_, stages, stages, 0, 1, &all, 0, nullptr, 0, nullptr);
+    vk_.vkCmdWriteTimestamp(record_, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries_, ++query);
+  }
+  submit("a frame");
+  std::vector<std::uint64_t> ticks(steps.size() + 1);
+  check(vk_.vkGetQueryPoolResults(device_, queries_, 0, query + 1, ticks.size() * sizeof(std::uint64_t), ticks.data(),
+                                  sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+        "reading the clock");
+  std::vector<double> milliseconds(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    milliseconds[i] =
+        static_cast<double>(ticks[i + 1] - ticks[i]) * static_cast<double>(properties_.limits.timestampPeriod) * 1e-6;
+  }
+  return milliseconds;
+}
+
+}  // namespace pelage::frame::vulkan

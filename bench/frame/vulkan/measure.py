@@ -1,0 +1,80 @@
+# Copyright (c) 2026 The Pelage authors
+# SPDX-License-Identifier: MIT
+"""Times pelage-frame --device vulkan: measure.py PROGRAM FOLDER. See run beside it."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HAIR = ["--strands", "50000", "--segments", "48"]
+HEADLINE = ["--strands", "114000", "--segments", "60"]
+METHODS = ["k_buffer", "a_buffer", "ordered_list", "atomic_k_buffer", "two_pass_k_buffer"]
+SIZES = [8, 16, 32, 64]
+FRAMES = 50
+
+
+def draw(program, options, frames, picture=None):
+    """The program's report of some frames."""
+    with tempfile.TemporaryDirectory() as scratch:
+        report = pathlib.Path(scratch) / "report.json"
+        out = picture or pathlib.Path(scratch) / "frame.png"
+        command = [program, "--device", "vulkan", "--frames", str(frames), "--out", str(out), "--report", str(report)]
+        done = subprocess.run(command + options, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            sys.exit(done.stderr.strip())
+        return json.loads(report.read_text())
+
+
+
+def methods_table(program):
+    """Frames by method and K."""
+    all_reports = {}
+    print(f"50 000 strands, 2.4 million segments, 640 x 640: milliseconds a frame, median of {FRAMES}")
+    print(f"{'':20}" + "".join(f"{'K = ' + str(k):>10}" for k in SIZES) + "   one picture, one hash")
+    for method in METHODS + ["selection_sort"]:
+        reports = []
+        for k in SIZES if method != "selection_sort" else SIZES[:1]:
+            options = HAIR + ["--order", method, "--k", str(k)]
+            reports.append(draw(program, options, FRAMES if method != "selection_sort" else 10))
+        all_reports[method] = reports
+        same = all(r["same_hash"] == r["frames"] for r in reports)
+        agree = all(r["hash"] == first["hash"] for r, first in zip(reports, all_reports["k_buffer"]))
+        verdict = ("as k_buffer" if agree else "its own") + (", in all frames" if same else ", NOT in all frames")
+        print(f"{method:20}" + "".join(f"{r['milliseconds']:10.2f}" for r in reports).ljust(40) + "   " + verdict)
+    whole = all_reports["selection_sort"][0]["milliseconds"]
+    ratios = [f"{whole / r['milliseconds']:.1f} at K = {r['k']}" for r in all_reports["k_buffer"]]
+    print("selection_sort / k_buffer: " + ", ".join(ratios))
+    return all_reports
+
+
+def headline(program, picture):
+    """The large model by passes, 100 frames."""
+    report = draw(program, HEADLINE + ["--k", "16"], 100, picture)
+    views = list(dict.fromkeys(p["view"] for p in report["passes"]))
+    names = list(dict.fromkeys(p["name"].replace("_light_16", "").replace("_camera_16", "") for p in report["passes"]))
+    print(f"\n114 000 strands, 6.8 million segments, 640 x 640, K = 16 on {report['device']}")
+    print(f"{'milliseconds':20}" + "".join(f"{v:>10}" for v in views))
+    for name in names:
+        row = []
+        for view in views:
+            of_view = [p for p in report["passes"] if p["view"] == view and p["name"].startswith(name)]
+            exact = [p for p in of_view if p["name"] in (name, name + "_light_16", name + "_camera_16")]
+            row.append(f"{sum(p['milliseconds'] for p in exact):10.3f}" if exact else f"{'':10}")
+        print(f"{name:20}" + "".join(row))
+    print(f"{'fragments, millions':20}" + "".join(f"{v['fragments'] / 1e6:10.1f}" for v in report["views"]))
+    print(
+        f"{report['milliseconds']:.2f} ms a frame, {report['same_hash']} of {report['frames']} frames are "
+        f"{report['hash']}, {report['device_bytes'] / 1e6:.0f} MB"
+    )
+    return report
+
+
+def main():
+    program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+    reports = {"methods": methods_table(program), "headline": headline(program, folder / "vulkan.png")}
+    (folder / "vulkan.json").write_text(json.dumps(reports, indent=2) + "\n")
+
+
+main()
