@@ -16,7 +16,7 @@ struct light {
   light_kind kind;
   glm::vec3 position;   ///< of point and spot lights, in radii of the scene round its centre
   glm::vec3 direction;  ///< unit, the way that directional and spot light travels
-  glm::vec3 colour;     ///< linear RGB irradiance at the scene's centre
+  glm::vec3 colour;     ///< linear RGB radiance of a white wall at the scene's centre that faces it
   float cos_outer = 0;  ///< spot: cosine of the half angle where it ends,
   float cos_inner = 0;  ///< and where it begins to fade
 };
