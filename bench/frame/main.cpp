@@ -13,6 +13,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "frame/built_in.hpp"
 #include "frame/command_line.hpp"
@@ -91,6 +92,16 @@ nlohmann::json report_of(const device_frame& frame) {
           {"passes", passes}};
 }
 
+/// Of all passes: fragments, and those of them that went to tails.
+std::pair<std::uint64_t, std::uint64_t> count_fragments(const frame_result& frame) {
+  std::pair<std::uint64_t, std::uint64_t> sum{0, 0};
+  for (const pass_report& p : frame.passes) {
+    sum.first += p.order.fragments;
+    sum.second += p.order.behind;
+  }
+  return sum;
+}
+
 void show_progress(const std::string& what, double done) {
   if (isatty(STDERR_FILENO) == 0) return;
   const int filled = static_cast<int>(done * 30.0);
@@ -147,7 +158,10 @@ void run(const command_line& c) {
     frame_result frame = arena.execute([&] { return draw_frame(model, c.settings, show_progress); });
     report.update(report_of(frame));
     report["threads"] = threads;
-    said += fmt::format("{:.2f} s, {:.0f} MB at most\n", frame.seconds, static_cast<double>(peak_memory()) / 1e6);
+    const auto [fragments, behind] = count_fragments(frame);
+    said += fmt::format("{:.2f} s, {:.0f} MB at most, {:.1f} million fragments, {:.1f} million of them in tails\n",
+                        frame.seconds, static_cast<double>(peak_memory()) / 1e6, static_cast<double>(fragments) / 1e6,
+                        static_cast<double>(behind) / 1e6);
     picture = std::move(frame.picture);
   }
   results.write(out, encode_png(picture));

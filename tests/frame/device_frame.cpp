@@ -57,7 +57,7 @@ std::string refusal(const frame_settings& settings) {
   return "";
 }
 
-TEST_CASE("A device's picture is the processor's but for where between a strand's points light is computed") {
+TEST_CASE("A device's picture is the processor's but for rounding") {
   for (const components shown : {components::single, components::full}) {
     for (const bool antialias : {false, true}) {
       CAPTURE(static_cast<int>(shown));

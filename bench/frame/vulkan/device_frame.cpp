@@ -269,6 +269,7 @@ void session::make_frame() {
 
 device_frame draw_frame_on_device(const hair_model& model, const frame_settings& settings, std::uint32_t frames) {
   check(settings);
+  (void)plan_of(settings.order);  // refuses
   const stage set = set_up(model, settings);
   session on(set, settings);
   device_frame result{image(settings.width, settings.height), on.device_name(), {}, {}, 0, on.bytes(), 0, frames, 0};

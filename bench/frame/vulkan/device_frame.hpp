@@ -38,8 +38,7 @@ struct no_device : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Draws a frame on a Vulkan device, all of it from strands to picture: the picture of draw_frame() but for rounding
-/// and for light, which is computed at the strands' points and interpolated between.
+/// Draws a frame on a Vulkan device, all of it from strands to picture: that of draw_frame() but for rounding.
 ///
 /// `frames`: [1, inf). Throws no_device; std::runtime_error, one line, for too little memory, a model too large for the
 /// device, and what its shaders do not have; and as draw_frame().

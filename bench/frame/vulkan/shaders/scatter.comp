@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Puts each fragment into its pixel's run. In: the first free places in counts. Out: pool, or with RECORDS the
 // fragments and what they cover to records; seen. One invocation a segment; bounded by the arithmetic of coverage, then
-// by one atomic add and 8 or 16 bytes to a place of its own a fragment.
+// by 8 or 16 bytes to a place of its own a fragment (on an H100 two thirds and one third; adding is free).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "draw.glsl"
