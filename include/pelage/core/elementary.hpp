@@ -64,7 +64,7 @@ template <real_number Real>
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real exponential(Real x) noexcept;
 
-/// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is.
+/// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is. NaN gives NaN, in a shader NaN or -inf.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real one_minus_exponential(Real x) noexcept;
 

@@ -17,7 +17,7 @@ void main() {
   put(1u, pelage_least(x, y));
   put(2u, pelage_greatest(x, y));
   put(3u, pelage_exponential(f(2u)));
-  put(4u, pelage_one_minus_exponential(pelage_absolute(x)));
+  put(4u, pelage_one_minus_exponential(pelage_absolute(f(2u))));
   put(5u, pelage_natural_logarithm(x));
   const pelage_rotation turn = pelage_rotation_by(x);
   put(6u, turn.cosine);

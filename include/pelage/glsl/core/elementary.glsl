@@ -39,7 +39,7 @@ precise float pelage_small_exponential(float x);
 /// +inf.
 precise float pelage_exponential(float x);
 
-/// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is.
+/// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is. NaN gives NaN, in a shader NaN or -inf.
 precise float pelage_one_minus_exponential(float x);
 
 /// ln x for normal x > 0, within 1.1e-7 · max(1, |ln x|) in float. In float zero, denormals and negatives give -87.3.
