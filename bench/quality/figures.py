@@ -18,7 +18,7 @@ arguments.add_argument("--rounds", type=int, default=3, help="of all frames; the
 given = arguments.parse_intermixed_args()
 
 pictures = given.root / "bench" / "quality" / "pictures"
-scratch = given.root / "out" / "quality"
+scratch = given.root / "out" / "bench" / "quality"
 pictures.mkdir(parents=True, exist_ok=True)
 scratch.mkdir(parents=True, exist_ok=True)
 programs = given.root / "build" / "release" / "bench"

@@ -13,7 +13,7 @@ arguments.add_argument("root", type=pathlib.Path)
 arguments.add_argument("--rounds", type=int, default=5)
 given, options = arguments.parse_known_args()
 
-scratch = given.root / "out" / "bench" / "frame"
+scratch = given.root / "out" / "bench" / "speed"
 scratch.mkdir(parents=True, exist_ok=True)
 program = given.root / "build" / "release" / "bench" / "frame" / "pelage-frame"
 ways = {
@@ -57,6 +57,11 @@ for way in ways:
     for i, one in enumerate(runs[way][0][0]["passes"]):
         cells = (f"{median(way, lambda r, _: r['passes'][i][step]):.3f}" for step in steps)
         print(f"| {way}: {one['name']} | " + " | ".join(cells) + " |")
+
+measured = {"unit": "seconds, medians", "groups": {
+    "a frame": {way: median(way, lambda r, _: r["seconds"]) for way in ways},
+    "processor seconds, the whole program": {way: median(way, lambda _, s: s) for way in ways}}}
+(given.root / "out" / "bench" / "speed.json").write_text(json.dumps(measured, indent=1))
 
 fast, alone, sorted_whole = (median(way, lambda r, _: r["seconds"]) for way in ways)
 print(f"\nfull_sort / k_buffer: {sorted_whole / fast:.2f}; 1 thread / 2 threads: {alone / fast:.2f}")

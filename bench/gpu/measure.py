@@ -27,7 +27,6 @@ def draw(program, options, frames, picture=None):
         return json.loads(report.read_text())
 
 
-
 def methods_table(program):
     """Frames by method and K."""
     all_reports = {}
@@ -73,8 +72,8 @@ def headline(program, picture):
 
 def main():
     program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    reports = {"methods": methods_table(program), "headline": headline(program, folder / "vulkan.png")}
-    (folder / "vulkan.json").write_text(json.dumps(reports, indent=2) + "\n")
+    reports = {"methods": methods_table(program), "headline": headline(program, folder / "gpu.png")}
+    (folder / "gpu.json").write_text(json.dumps(reports, indent=2) + "\n")
 
 
 main()
