@@ -31,9 +31,10 @@ constexpr const char* join = R"(
 template <const auto&... Parts>
 constexpr auto join() {
   std::array<char, (sizeof(Parts) + ...) - sizeof...(Parts) + 1> all{};
-  std::size_t end = 0;
+  char* end = all.data();
   const auto append = [&](const auto& part) {
-    for (std::size_t i = 0; i + 1 < sizeof(part); ++i) all[end++] = part[i];
+    for (const char c : part) *end++ = c;
+    --end;
   };
   (append(Parts), ...);
   return all;
@@ -47,51 +48,59 @@ std::string identifier(const std::string& path) {
   return name;
 }
 
-/// Each file as the pieces between its includes, and the joins of those with what is included.
+/// Each file as the pieces between its includes, and the joins of those with what is included, once each: what a file
+/// includes twice its guards would drop.
 class joined_files {
  public:
-  explicit joined_files(const std::vector<std::pair<std::string, std::string>>& files)
-      : texts_(files.begin(), files.end()) {
+  explicit joined_files(const std::vector<std::pair<std::string, std::string>>& files) {
     for (const auto& [path, text] : files)
-      add(path);
+      cut(path, text);
+    for (const auto& [path, text] : files) {
+      std::set<std::string> seen;
+      joins += "inline constexpr auto " + identifier(path) + " = join<" + parts_of(path, seen).substr(2) + ">();\n";
+    }
   }
 
   std::string pieces;
   std::string joins;
 
  private:
-  /// What a file includes is joined before it.
-  void add(const std::string& path) {
-    if (!added_.insert(path).second) return;
-    std::string mine;
-    std::string parts;
+  struct part {
+    std::string name;  ///< of a piece, or the path of a file
+    bool is_file;
+  };
+
+  void cut(const std::string& path, const std::string& all) {
     std::string text;
-    int count = 0;
     const auto end_piece = [&] {
-      const std::string name = identifier(path) + "_" + std::to_string(count++);
-      mine += "inline constexpr char " + name + "[] = R\"glsl(" + text + ")glsl\";\n";
-      parts += ", " + name;
+      const std::string name = identifier(path) + "_" + std::to_string(parts_[path].size() / 2);
+      pieces += "inline constexpr char " + name + "[] = R\"glsl(" + text + ")glsl\";\n";
+      parts_[path].push_back({name, false});
       text.clear();
     };
-    std::istringstream lines(texts_.at(path));
+    std::istringstream lines(all);
     for (std::string line; std::getline(lines, line);) {
       if (line.rfind("#include \"", 0) != 0) {
         text += line + "\n";
         continue;
       }
-      const std::filesystem::path named = line.substr(10, line.rfind('"') - 10);
-      const std::string included = (std::filesystem::path(path).parent_path() / named).lexically_normal().string();
-      add(included);
       end_piece();
-      parts += ", " + identifier(included);
+      const std::filesystem::path named = line.substr(10, line.rfind('"') - 10);
+      parts_[path].push_back({(std::filesystem::path(path).parent_path() / named).lexically_normal().string(), true});
     }
     end_piece();
-    pieces += mine;
-    joins += "inline constexpr auto " + identifier(path) + " = join<" + parts.substr(2) + ">();\n";
   }
 
-  std::map<std::string, std::string> texts_;
-  std::set<std::string> added_;
+  /// ", piece, piece" of a file and of what it includes.
+  std::string parts_of(const std::string& path, std::set<std::string>& seen) const {
+    if (!seen.insert(path).second) return "";
+    std::string list;
+    for (const part& p : parts_.at(path))
+      list += p.is_file ? parts_of(p.name, seen) : ", " + p.name;
+    return list;
+  }
+
+  std::map<std::string, std::vector<part>> parts_;
 };
 
 }  // namespace
