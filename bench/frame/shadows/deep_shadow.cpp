@@ -3,7 +3,6 @@
 #include "frame/shadows/deep_shadow.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace pelage::frame {
 
@@ -27,30 +26,19 @@ void deep_shadow::fill(int x, int y, std::span<seen_fragment> all) {
          [&](const seen_fragment& f, std::uint32_t) { line.add(storage, f.where.depth, alpha(f.id, f.where)); });
   line.finish(storage);
   if (line.count == 0) return;
-  const auto place = arrived_.grow_by(scratch.begin(), scratch.begin() + static_cast<std::ptrdiff_t>(line.count));
-  const auto first = static_cast<std::size_t>(place - arrived_.begin());
-  if (first + line.count > 0xffffffffU)
-    throw std::runtime_error("the deep shadow map has more vertices than can be numbered");
-  texel_[index(x, y)] = {static_cast<std::uint32_t>(first), line.count};
-}
-
-void deep_shadow::settle() {
-  vertex_.reserve(arrived_.size());
-  for (texel& t : texel_) {
-    const auto from = arrived_.begin() + static_cast<std::ptrdiff_t>(t.first);
-    t.first = static_cast<std::uint32_t>(vertex_.size());
-    vertex_.insert(vertex_.end(), from, from + static_cast<std::ptrdiff_t>(t.count));
-  }
-  arrived_.clear();
+  const std::span<deep_shadow_vertex> kept = vertices_.take(line.count);
+  std::copy_n(scratch.begin(), kept.size(), kept.begin());
+  texel_[index(x, y)] = kept;
 }
 
 float deep_shadow::optical_before(std::size_t t, float depth) const {
-  const float passed = deep_shadow_at(stored_vertices{vertex_.data()}, texel_[t].first, texel_[t].count, depth);
+  const std::span<const deep_shadow_vertex> line = texel_[t];
+  const float passed = deep_shadow_at(stored_vertices{line.data()}, 0, static_cast<std::uint32_t>(line.size()), depth);
   return static_cast<float>(optical_depth(1.0F - passed));
 }
 
 std::uint64_t deep_shadow::texel_bytes() const {
-  return vertex_.size() * sizeof(deep_shadow_vertex) + texel_.size() * sizeof(texel);
+  return vertices_.bytes() + texel_.size() * sizeof(texel_[0]);
 }
 
 }  // namespace pelage::frame

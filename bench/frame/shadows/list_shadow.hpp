@@ -19,9 +19,6 @@ class list_shadow : public shadow_map {
   /// All fragments of a texel; may sort them. Once a texel.
   virtual void fill(int x, int y, std::span<seen_fragment> all) = 0;
 
-  /// After the last texel.
-  virtual void settle() {}
-
  protected:
   /// Calls `use(fragment, optical depth)` for each and says what all sum up to.
   template <class Use>

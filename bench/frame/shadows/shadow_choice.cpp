@@ -35,7 +35,6 @@ struct caster {
     const order_report report =
         run_list_pass(from, map->limit(), order.drawing_order,
                       [&map](int x, int y, std::span<seen_fragment> all) { map->fill(x, y, all); });
-    map->settle();
     return {std::move(map), report};
   }
 

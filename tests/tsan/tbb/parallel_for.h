@@ -10,6 +10,7 @@
 #include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace tbb {
@@ -87,6 +88,10 @@ void parallel_for(Index begin, Index end, const Body& body) {
 template <class Value>
 class enumerable_thread_specific {
  public:
+  enumerable_thread_specific() = default;
+  enumerable_thread_specific(enumerable_thread_specific&& other) noexcept
+      : mine_(std::move(other.mine_)), values_(std::move(other.values_)) {}  // which moves no value
+
   [[nodiscard]] Value& local() {
     const std::lock_guard lock(mutex_);
     Value*& mine = mine_[std::this_thread::get_id()];
@@ -96,6 +101,8 @@ class enumerable_thread_specific {
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   [[nodiscard]] auto begin() { return values_.begin(); }
   [[nodiscard]] auto end() { return values_.end(); }
+  [[nodiscard]] auto begin() const { return values_.begin(); }
+  [[nodiscard]] auto end() const { return values_.end(); }
 
  private:
   std::mutex mutex_;
