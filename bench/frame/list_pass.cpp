@@ -6,9 +6,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
+#include "frame/group_by_pixel.hpp"
+#include "frame/order_job.hpp"
 #include "frame/tiles.hpp"
 
 namespace pelage::frame {
@@ -34,7 +35,8 @@ class tile_lists {
         arrived_.push_back({segment, t});
       });
     }
-    group();
+    grouped_.resize(arrived_.size());
+    group_by_pixel(std::span<const std::uint32_t>(pixel_), arrived_, grouped_, std::span(end_));
     report.fragments += arrived_.size();
     report.bytes =
         std::max(report.bytes, pixel_.size() * sizeof(std::uint32_t) + 2 * arrived_.size() * sizeof(seen_fragment));
@@ -44,7 +46,8 @@ class tile_lists {
     for (int y = rect.y0; y < rect.y1; ++y) {
       for (int x = rect.x0; x < rect.x1; ++x) {
         const std::size_t p = static_cast<std::size_t>((y - rect.y0) * tiles::side + (x - rect.x0));
-        const std::span<seen_fragment> all = std::span(grouped_).subspan(end_[p], end_[p + 1] - end_[p]);
+        const std::size_t begin = p == 0 ? 0 : end_[p - 1];
+        const std::span<seen_fragment> all = std::span(grouped_).subspan(begin, end_[p] - begin);
         report.longest = std::max(report.longest, static_cast<std::uint32_t>(all.size()));
         visitor(x, y, all);
       }
@@ -54,41 +57,27 @@ class tile_lists {
   order_report report;
 
  private:
-  /// A counting sort: end_[p + 1] is where pixel p's list ends, and end_[p] where it begins.
-  void group() {
-    constexpr std::size_t pixels = static_cast<std::size_t>(tiles::side) * tiles::side;
-    end_.assign(pixels + 2, 0);
-    for (const std::uint32_t p : pixel_)
-      ++end_[p + 2];
-    for (std::size_t p = 2; p < end_.size(); ++p)
-      end_[p] += end_[p - 1];
-    grouped_.resize(arrived_.size());
-    for (std::size_t i = 0; i < arrived_.size(); ++i)
-      grouped_[end_[pixel_[i] + 1]++] = arrived_[i];
-  }
-
   std::vector<std::uint32_t> pixel_;
   std::vector<seen_fragment> arrived_;
   std::vector<seen_fragment> grouped_;
-  std::vector<std::size_t> end_;
+  std::vector<std::size_t> end_ = std::vector<std::size_t>(static_cast<std::size_t>(tiles::side) * tiles::side);
 };
 
 }  // namespace
 
 order_report run_list_pass(const raster& from, std::span<const float> limit,
                            std::span<const std::uint32_t> drawing_order, const list_visitor& visit) {
-  const auto start = std::chrono::steady_clock::now();
+  order_report report;
+  stopwatch watch;
   const tiles bins(from, drawing_order);
-  const auto cut = std::chrono::steady_clock::now();
+  report.bin_seconds = watch.lap();
   tbb::enumerable_thread_specific<tile_lists> scratch;
   tbb::parallel_for(0, bins.count(), [&](int t) {
     tile_lists& mine = scratch.local();
     mine.draw(from, limit, bins.rect(t), bins.segments(t));
     mine.visit(bins.rect(t), visit);
   });
-  order_report report;
-  report.bin_seconds = std::chrono::duration<double>(cut - start).count();
-  report.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - cut).count();
+  report.build_seconds = watch.lap();
   report.bytes = bins.bytes();
   for (const tile_lists& one : scratch) {
     report.fragments += one.report.fragments;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "frame/group_by_pixel.hpp"
 #include "frame/order_job.hpp"
 #include "frame/tiles.hpp"
 
@@ -57,17 +58,11 @@ class tile_worker {
   static constexpr std::size_t capacity = std::size_t{1} << 15;
 
   void flush(const order_job& work, const pixel_rect& rect) {
-    std::fill(end_.begin(), end_.end(), 0);
-    for (std::size_t i = 0; i < arrived_count_; ++i)
-      ++end_[pixel_of_[i]];
-    std::uint32_t begin = 0;
-    for (std::uint32_t& end : end_)
-      begin += std::exchange(end, begin);
-    for (std::size_t i = 0; i < arrived_count_; ++i)
-      by_pixel_[end_[pixel_of_[i]]++] = arrived_[i];
+    group_by_pixel(std::span<const std::uint16_t>(pixel_of_).first(arrived_count_),
+                   std::span(arrived_).first(arrived_count_), by_pixel_, std::span(end_));
     arrived_count_ = 0;
 
-    begin = 0;
+    std::uint32_t begin = 0;
     for (std::size_t p = 0; p < pixels; ++p) {
       const std::uint32_t end = end_[p];
       if (end > begin) keep_nearest(work, rect, p, std::span(by_pixel_).subspan(begin, end - begin));
