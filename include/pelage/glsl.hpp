@@ -2627,7 +2627,8 @@ precise float pelage_natural_logarithm(float x);
 float pelage_power_of_share(float x, float y);
 
 /// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
-/// gives 0. The length of the vector does not matter but for overflow of neither and NaN in either, which give NaN.
+/// gives 0. The length of the vector does not matter but for overflow of neither and NaN in either, which give NaN, in a
+/// shader anything.
 precise float pelage_unsigned_angle(float y, float x);
 
 /// atan2(y, x), [-π, π], relative error below 2e-7 in float; (0, 0) gives 0.

@@ -77,7 +77,8 @@ template <std::floating_point Real>
 [[nodiscard]] inline Real power_of_share(Real x, Real y) noexcept;
 
 /// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
-/// gives 0. The length of the vector does not matter but for overflow of neither and NaN in either, which give NaN.
+/// gives 0. The length of the vector does not matter but for overflow of neither and NaN in either, which give NaN, in a
+/// shader anything.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real unsigned_angle(Real y, Real x) noexcept;
 
