@@ -64,7 +64,7 @@ double distance(float expected, float got, float size) {
   }
   if (expected == got) return 0.0;
   if (std::isinf(expected) || std::isinf(got)) return std::numeric_limits<double>::infinity();
-  if (std::abs(expected) < smallest_normal && std::abs(got) < smallest_normal) return 0.0;
+  if (std::abs(expected) <= smallest_normal && std::abs(got) <= smallest_normal) return 0.0;
   return std::abs(static_cast<double>(expected) - static_cast<double>(got)) / ulp(size);
 }
 

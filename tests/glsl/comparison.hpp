@@ -80,7 +80,8 @@ constexpr double bits() {
 
 /// Runs a kernel as run_over() and compares each column of the results
 /// with what `reference` computes here. Differences in floats are measured in ulps, those of a vector in ulps of its
-/// largest part; NaN equals NaN, and results below the normal range may be flushed to 0.
+/// largest part; NaN equals NaN, and results that are not above the smallest normal, before rounding, may be flushed
+/// to 0.
 void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,
              const std::function<void(row, results&)>& reference, const std::vector<column>& columns);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#define STRIDE 4u
+#define STRIDE 3u
 #define RESULTS 13u
 #include "table.glsl"
 
@@ -12,12 +12,11 @@
 void main() {
   if (outside()) return;
   const float x = f(0u);
-  const float y = f(1u);
-  const float u = f(2u);
-  const float v = f(3u);
+  const float u = f(1u);
+  const float v = f(2u);
   put(0u, pelage_absolute(x));
-  put(1u, pelage_least(x, y));
-  put(2u, pelage_greatest(x, y));
+  put(1u, pelage_least(u, v));
+  put(2u, pelage_greatest(u, v));
   put(3u, pelage_exponential(u));
   put(4u, pelage_one_minus_exponential(pelage_absolute(u)));
   put(5u, pelage_natural_logarithm(x));
