@@ -33,7 +33,7 @@ std::string translator::arguments(const FunctionDecl* f, const std::vector<const
   bool effects = false;
   if (object != nullptr) {
     const bool writes = !cast<CXXMethodDecl>(f)->isConst();
-    text = isa<CXXThisExpr>(object->IgnoreParenImpCasts()) ? "self" : expression(object);
+    text = isa<CXXThisExpr>(object->IgnoreParenImpCasts()) ? "self" : glsl(object);
     places.emplace_back(text, writes);
     effects = writes;
   }
@@ -43,7 +43,7 @@ std::string translator::arguments(const FunctionDecl* f, const std::vector<const
       effects = effects || writes_to(parameter);
       continue;
     }
-    const std::string one = expression(args[i]);
+    const std::string one = glsl(args[i]);
     if (parameter->isReferenceType()) places.emplace_back(one, writes_to(parameter));
     effects = effects || writes_to(parameter);
     text += (text.empty() ? "" : ", ") + one;
@@ -95,7 +95,7 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
   const QualType left = c->getArg(0)->getType();
   if (op == OO_Subscript && (is_array_type(left) || (f != nullptr && is_glm(f)))) {
     // The index is a size_t in C++; its own type will do here.
-    return expression(c->getArg(0)) + "[" + expression(without_conversions(c->getArg(1))) + "]";
+    return glsl(c->getArg(0)) + "[" + glsl(without_conversions(c->getArg(1))) + "]";
   }
   if (op == OO_Call) return reject(c->getBeginLoc(), "call through a pointer or of a callable object");
   const bool assigns = c->isAssignmentOp();
@@ -114,15 +114,15 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
   if (op == OO_PlusPlus || op == OO_MinusMinus) return reject(c->getOperatorLoc(), "increment of a vector");
   arithmetic_ = arithmetic_ || is_glm(f);
   const std::string spelled = getOperatorSpelling(op);
-  if (c->getNumArgs() == 1) return spelled + expression(c->getArg(0));
-  return expression(c->getArg(0)) + " " + spelled + " " +
-         expression(c->getArg(1), assigns ? position::whole : position::part);
+  if (c->getNumArgs() == 1) return spelled + glsl(c->getArg(0));
+  return glsl(c->getArg(0)) + " " + spelled + " " +
+         glsl(c->getArg(1), assigns ? position::whole : position::part);
 }
 
 std::string translator::construct(const CXXConstructExpr* c) {
   const CXXConstructorDecl* made = c->getConstructor();
   const bool vector = is_glm(made);
-  if (made->isCopyOrMoveConstructor() && c->getNumArgs() == 1) return expression(c->getArg(0));
+  if (made->isCopyOrMoveConstructor() && c->getNumArgs() == 1) return glsl(c->getArg(0));
   if (vector) {
     if (c->getNumArgs() == 0) return reject(c->getBeginLoc(), "vector without a value");
     const std::vector<const Expr*> values(c->arg_begin(), c->arg_end());

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "translator.hpp"
 
-#include <clang/Lex/Lexer.h>
-
 namespace pelage::codegen {
 
 using namespace clang;
@@ -39,50 +37,6 @@ std::string translator::doc_beside(SourceLocation declaration) {
     doc += (doc.empty() ? "" : "\n") + rest.substr(comment).rtrim().str();
     begin = end + 1;
   }
-}
-
-void translator::read_comments(const Stmt* body) {
-  comments_.clear();
-  next_comment_ = 0;
-  const SourceLocation begin = sources_.getExpansionLoc(body->getBeginLoc());
-  const unsigned last = offset(body->getEndLoc());
-  const FileID file = sources_.getFileID(begin);
-  const llvm::StringRef text = sources_.getBufferData(file);
-  Lexer lexer(sources_.getLocForStartOfFile(file), context_.getLangOpts(), text.begin(), text.begin() + offset(begin),
-              text.end());
-  lexer.SetCommentRetentionState(true);
-  for (Token token; !lexer.LexFromRawLexer(token) && offset(token.getLocation()) < last;) {
-    if (!token.is(tok::comment)) continue;
-    const unsigned at = offset(token.getLocation());
-    const unsigned first_line = line(token.getLocation());
-    const llvm::StringRef spelled = text.substr(at, token.getLength()).rtrim();
-    const unsigned lines = static_cast<unsigned>(spelled.count('\n'));
-    comments_.push_back({at, first_line, first_line + lines, spelled.str()});
-  }
-}
-
-/// The comments between the last statement and the next one at `before`; `last_line` is where the last one ended.
-std::string translator::comments_before(unsigned before, unsigned& last_line) {
-  std::string text;
-  for (; next_comment_ < comments_.size() && comments_[next_comment_].offset < before; ++next_comment_) {
-    const comment& c = comments_[next_comment_];
-    if (last_line != 0 && c.line > last_line + 1) text += "\n";
-    text += c.text + "\n";
-    last_line = c.last_line;
-  }
-  return text;
-}
-
-/// The comment behind a statement on its last line.
-std::string translator::comment_beside(SourceLocation end) {
-  while (next_comment_ < comments_.size() && comments_[next_comment_].offset < offset(end) &&
-         comments_[next_comment_].line < line(end)) {
-    ++next_comment_;  // inside an expression: there is no place for it
-  }
-  if (next_comment_ < comments_.size() && comments_[next_comment_].line == line(end)) {
-    return "  " + comments_[next_comment_++].text;
-  }
-  return {};
 }
 
 }  // namespace pelage::codegen

@@ -156,11 +156,9 @@ void translator::translate_function(const FunctionDecl* f) {
   if (method != nullptr && method->isVirtual()) reject(where, "virtual function");
   if (f->isOverloadedOperator() && operator_name(f).empty())
     reject(where, "operator overload: call a function instead");
-  if (isa_and_nonnull<CXXTryStmt>(definition->getBody())) reject(where, "exceptions");
   const std::string result = type_of(f->getReturnType(), where).text();
   std::string list = parameters(definition);
-  read_comments(definition->getBody());
-  fresh_->body = isa<CXXTryStmt>(definition->getBody()) ? "{}" : block(definition->getBody());
+  fresh_->body = glsl(definition->getBody(), position::statement);
   // No fused multiply-add may come between the two: `precise` covers all that leads to a result.
   const std::string precise = arithmetic_ && !f->getReturnType()->isVoidType() ? "precise " : "";
   for (std::size_t i = list.find("inout "); arithmetic_ && i != std::string::npos; i = list.find("inout ", i + 14)) {
@@ -246,7 +244,7 @@ void translator::translate_constant(const VarDecl* v) {
     return;
   }
   const std::string declared = type_of(v->getType(), v->getLocation()).declare(fresh_->name);
-  fresh_->declaration = "const " + declared + " = " + expression(init) + ";  " + doc_beside(v->getLocation());
+  fresh_->declaration = "const " + declared + " = " + glsl(init) + ";  " + doc_beside(v->getLocation());
   end(v);
 }
 

@@ -14,88 +14,66 @@ bool has_size(const Stmt* s) {
   return std::any_of(s->child_begin(), s->child_end(), [](const Stmt* c) { return c != nullptr && has_size(c); });
 }
 
-std::string translator::reject(SourceLocation where, const std::string& reason) {
-  found_.add(where, reason);
-  return "0";
+namespace {
+
+/// The value of a conversion that vanishes, in the conversion's parentheses where it needs them.
+std::string kept(const CastExpr* c, const std::string& value) {
+  const Expr* from = c->getSubExpr();
+  for (const auto* x = dyn_cast<ImplicitCastExpr>(from); x != nullptr; x = dyn_cast<ImplicitCastExpr>(from)) {
+    if (x->getCastKind() != CK_LValueToRValue && x->getCastKind() != CK_NoOp) break;
+    from = x->getSubExpr();
+  }
+  const auto* op = dyn_cast<CXXOperatorCallExpr>(from);
+  const bool loose = isa<BinaryOperator, ConditionalOperator>(from) || (op != nullptr && op->isInfixBinaryOp());
+  return loose && isa<ExplicitCastExpr>(c) ? "(" + value + ")" : value;
 }
 
-std::string translator::expression(const Expr* e, position at) {
-  std::string text;
-  if (const auto* x = dyn_cast<FullExpr>(e)) return expression(x->getSubExpr(), at);
-  if (const auto* x = dyn_cast<MaterializeTemporaryExpr>(e)) return expression(x->getSubExpr(), at);
-  if (const auto* x = dyn_cast<CXXBindTemporaryExpr>(e)) return expression(x->getSubExpr(), at);
-  if (const auto* x = dyn_cast<CXXDefaultArgExpr>(e)) return expression(x->getExpr(), at);
-  if (const auto* x = dyn_cast<SubstNonTypeTemplateParmExpr>(e)) return size_name(x->getParameter(), x->getBeginLoc());
-  if (storage_expression(e, text, at)) return text;
-  if (const auto* x = dyn_cast<ParenExpr>(e)) return "(" + expression(x->getSubExpr(), at) + ")";
-  if (const auto* x = dyn_cast<FloatingLiteral>(e)) {
-    if (!context_.hasSameUnqualifiedType(x->getType(), context_.FloatTy)) {
-      return reject(e->getBeginLoc(), "double literal: add `f`, or convert it with Real(...)");
-    }
-    return literal(x);
-  }
-  if (const auto* x = dyn_cast<IntegerLiteral>(e)) return literal(x, x->getType());
-  if (const auto* x = dyn_cast<CXXBoolLiteralExpr>(e)) return x->getValue() ? "true" : "false";
-  if (const auto* x = dyn_cast<DeclRefExpr>(e)) return reference(x);
-  if (const auto* x = dyn_cast<MemberExpr>(e)) return member(x);
-  if (const auto* x = dyn_cast<CXXConstructExpr>(e)) return construct(x);
-  if (const auto* x = dyn_cast<CastExpr>(e)) return conversion(x, at);
-  if (const auto* x = dyn_cast<InitListExpr>(e)) return initializer_list(x);
-  if (isa<CXXScalarValueInitExpr>(e) || isa<ImplicitValueInitExpr>(e)) return zero(e->getType(), e->getExprLoc());
-  if (const auto* x = dyn_cast<CXXOperatorCallExpr>(e)) return operator_call(x, at);
-  if (const auto* x = dyn_cast<CallExpr>(e)) return call(x, at);
-  if (const auto* x = dyn_cast<ConditionalOperator>(e)) {
-    const std::string condition = expression(x->getCond());
-    return condition + " ? " + expression(x->getTrueExpr(), at) + " : " + expression(x->getFalseExpr(), at);
-  }
-  if (const auto* x = dyn_cast<UnaryOperator>(e)) {
-    if (x->isIncrementDecrementOp()) {
+}  // namespace
+
+std::string translator::unary(const UnaryOperator* x, position at) {
+  const Expr* operand = x->getSubExpr();
+  const std::string op = UnaryOperator::getOpcodeStr(x->getOpcode()).str();
+  if (x->isIncrementDecrementOp()) {
+    if (at != position::statement) {
       return reject(x->getOperatorLoc(), "increment inside an expression: make it a statement of its own");
     }
-    if (x->getOpcode() == UO_Deref && isa<CXXThisExpr>(x->getSubExpr()->IgnoreParenImpCasts())) return "self";
-    if (x->getOpcode() == UO_Deref || x->getOpcode() == UO_AddrOf) return reject(x->getOperatorLoc(), "pointer");
-    arithmetic_ = arithmetic_ || x->getType()->isFloatingType();
-    const std::string op = UnaryOperator::getOpcodeStr(x->getOpcode()).str();
-    const std::string operand = expression(x->getSubExpr());
-    return op + (operand.rfind(op, 0) == 0 ? "(" + operand + ")" : operand);
+    return x->isPrefix() ? op + glsl(operand) : glsl(operand) + op;
   }
-  if (const auto* x = dyn_cast<BinaryOperator>(e)) {
-    if (x->isAssignmentOp()) {
-      return reject(x->getOperatorLoc(), "assignment inside an expression: make it a statement of its own");
-    }
-    const BinaryOperatorKind op = x->getOpcode();
-    if (op == BO_Comma) return reject(x->getOperatorLoc(), "comma operator");
-    if (op == BO_Cmp) return reject(x->getOperatorLoc(), "operator <=>");
-    if (op == BO_Rem && x->getType()->isSignedIntegerType()) {
-      return reject(x->getOperatorLoc(), "% on signed integers");
-    }
-    if (x->isPtrMemOp()) return reject(x->getOperatorLoc(), "pointer to member");
-    arithmetic_ = arithmetic_ || (x->getType()->isFloatingType() && !x->isComparisonOp());
-    if (const std::string value = rounded(x); !value.empty()) return value;
-    return expression(x->getLHS()) + " " + x->getOpcodeStr().str() + " " + expression(x->getRHS());
-  }
-  return unsupported(e);
+  if (x->getOpcode() == UO_Deref && isa<CXXThisExpr>(operand->IgnoreParenImpCasts())) return "self";
+  if (x->getOpcode() == UO_Deref || x->getOpcode() == UO_AddrOf) return reject(x->getOperatorLoc(), "pointer");
+  arithmetic_ = arithmetic_ || x->getType()->isFloatingType();
+  const std::string value = glsl(operand);
+  return op + (value.rfind(op, 0) == 0 ? "(" + value + ")" : value);
 }
 
-std::string translator::unsupported(const Expr* e) {
-  const SourceLocation where = e->getBeginLoc();
-  if (isa<LambdaExpr>(e)) return reject(where, "lambda");
-  if (isa<CXXThisExpr>(e)) return reject(where, "pointer");
-  if (isa<CXXNullPtrLiteralExpr>(e)) return reject(where, "pointer");
-  if (isa<CXXThrowExpr>(e)) return reject(where, "exceptions");
-  if (isa<CXXNewExpr>(e) || isa<CXXDeleteExpr>(e)) return reject(where, "allocation");
-  if (isa<UnaryExprOrTypeTraitExpr>(e)) return reject(where, "sizeof and alignof");
-  if (isa<StringLiteral>(e) || isa<CharacterLiteral>(e)) return reject(where, "character or string");
-  if (isa<ArraySubscriptExpr>(e)) return reject(where, "C array: use std::array");
-  if (isa<CXXRewrittenBinaryOperator>(e)) return reject(where, "comparison of structs: write it out");
-  if (isa<CXXStdInitializerListExpr>(e)) return reject(where, "std::initializer_list");
-  if (isa<StmtExpr>(e)) return reject(where, "statement inside an expression");
-  return reject(where, std::string(e->getStmtClassName()) + " is not in the subset");
+std::string translator::binary(const BinaryOperator* x, position at) {
+  const BinaryOperatorKind op = x->getOpcode();
+  if (x->isAssignmentOp() && at != position::statement) {
+    return reject(x->getOperatorLoc(), "assignment inside an expression: make it a statement of its own");
+  }
+  if (op == BO_Comma) return reject(x->getOperatorLoc(), "comma operator");
+  if (op == BO_Cmp) return reject(x->getOperatorLoc(), "operator <=>");
+  if (x->isPtrMemOp()) return reject(x->getOperatorLoc(), "pointer to member");
+  if ((op == BO_Rem || op == BO_RemAssign) && x->getLHS()->getType()->isSignedIntegerType()) {
+    return reject(x->getOperatorLoc(), "% on signed integers");
+  }
+  if (const auto* c = dyn_cast<CompoundAssignOperator>(x);
+      c != nullptr && !context_.hasSameUnqualifiedType(c->getComputationResultType(), c->getLHS()->getType())) {
+    return reject(x->getBeginLoc(), "compound assignment that converts: write the conversion out");
+  }
+  arithmetic_ = arithmetic_ || (x->getType()->isFloatingType() && !x->isComparisonOp() && op != BO_Assign);
+  if (const std::string value = rounded(x); !value.empty()) return value;
+  const position right = x->isAssignmentOp() ? position::whole : position::part;
+  return glsl(x->getLHS()) + " " + x->getOpcodeStr().str() + " " + glsl(x->getRHS(), right);
 }
 
 std::string translator::conversion(const CastExpr* c, position at) {
   const Expr* from = c->getSubExpr();
   const SourceLocation where = c->getBeginLoc();
+  if (c->getType()->isVoidType()) {
+    const Expr* dropped = from->IgnoreParenCasts();
+    return dropped->HasSideEffects(context_) ? glsl(dropped, at) : std::string();
+  }
   if (isa<CStyleCastExpr>(c)) return reject(where, "C cast: use static_cast or T(x)");
   if (isa<CXXReinterpretCastExpr>(c) || isa<CXXConstCastExpr>(c) || isa<CXXDynamicCastExpr>(c)) {
     return reject(where, "reinterpret_cast, const_cast and dynamic_cast");
@@ -106,7 +84,7 @@ std::string translator::conversion(const CastExpr* c, position at) {
     case CK_FunctionToPointerDecay:
     case CK_ConstructorConversion:
     case CK_UserDefinedConversion:
-      return expression(from, at);
+      return kept(c, glsl(from, at));
     case CK_IntegralCast:
     case CK_IntegralToFloating:
     case CK_FloatingToIntegral:
@@ -137,7 +115,7 @@ std::string translator::conversion(const CastExpr* c, position at) {
   }
   const QualType to = c->getType();
   const QualType was = from->getType();
-  if (context_.hasSameUnqualifiedType(to, was)) return expression(from, at);
+  if (context_.hasSameUnqualifiedType(to, was)) return kept(c, glsl(from, at));
   const bool widens = to->isIntegerType() && context_.getTypeSize(to) == 64 && context_.getTypeSize(was) < 64;
   if (widens && isa<ImplicitCastExpr>(c) && !cast<ImplicitCastExpr>(c)->isPartOfExplicitCast()) {
     return reject(where, "widened to 64 bits where that is not declared: write static_cast<std::uint64_t>");
@@ -145,10 +123,10 @@ std::string translator::conversion(const CastExpr* c, position at) {
   // An enumeration is its number in GLSL: nothing to convert between the two, unless the widths differ.
   QualType written = to;
   if (const auto* x = dyn_cast<ExplicitCastExpr>(c)) written = x->getTypeAsWritten();
-  const std::string text = expression(from, at);
+  const std::string text = glsl(from, at);
   const std::string target = type_of(written, where).text();
   const bool was_enum = was->isEnumeralType();
-  if (was_enum && target == scalar_type(was->castAs<EnumType>()->getDecl()->getIntegerType(), where)) return text;
+  if (was_enum && target == scalar_type(was->castAs<EnumType>()->getDecl()->getIntegerType(), where)) return kept(c, text);
   return target + "(" + text + ")";
 }
 
@@ -189,8 +167,8 @@ std::string translator::member(const MemberExpr* m) {
   const auto* f = dyn_cast<FieldDecl>(d);
   if (f == nullptr) return reject(m->getBeginLoc(), "`" + d->getNameAsString() + "` is not in the subset");
   const Expr* base = m->getBase();
-  if (f->isAnonymousStructOrUnion()) return expression(base);  // glm's v.x lies in one
-  std::string text = isa<CXXThisExpr>(base->IgnoreParenImpCasts()) ? "self" : expression(base);
+  if (f->isAnonymousStructOrUnion()) return glsl(base);  // glm's v.x lies in one
+  std::string text = isa<CXXThisExpr>(base->IgnoreParenImpCasts()) ? "self" : glsl(base);
   if (m->isArrow() && text != "self") return reject(m->getOperatorLoc(), "pointer");
   if (isa<ConditionalOperator>(base->IgnoreParenImpCasts()) && text.front() != '(') text = "(" + text + ")";
   return text + "." + f->getNameAsString();
@@ -202,7 +180,7 @@ std::string translator::initializer_list(const InitListExpr* l) {
   const QualType type = l->getType();
   if (!type->isRecordType()) {
     if (l->getNumInits() == 0) return zero(type, l->getBeginLoc());
-    return l->getNumInits() == 1 ? expression(l->getInit(0)) : reject(l->getBeginLoc(), "list of values");
+    return l->getNumInits() == 1 ? glsl(l->getInit(0)) : reject(l->getBeginLoc(), "list of values");
   }
   const std::vector<const Expr*> values(l->inits().begin(), l->inits().end());
   QualType element;
@@ -217,7 +195,7 @@ std::string translator::initializer_list(const InitListExpr* l) {
 std::string translator::listed(const std::vector<const Expr*>& values) {
   std::string text;
   for (const Expr* value : values)
-    text += (text.empty() ? "" : ", ") + expression(value);
+    text += (text.empty() ? "" : ", ") + glsl(value);
   return text;
 }
 

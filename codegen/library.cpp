@@ -87,7 +87,7 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
   std::vector<std::string> arguments;
   for (const Expr* a : c->arguments()) {
     const bool spread = known != std::end(forms) && vector && a->getType().getNonReferenceType()->isFloatingType();
-    arguments.push_back(spread ? type_of(result, where).text() + "(" + expression(a) + ")" : expression(a));
+    arguments.push_back(spread ? type_of(result, where).text() + "(" + glsl(a) + ")" : glsl(a));
   }
   if (name == "std::swap") {
     const std::string first = type_of(c->getArg(0)->getType(), where).declare("pelage_first");
@@ -118,7 +118,7 @@ std::string translator::bit_cast(const CallExpr* c) {
   const std::string from = type_of(c->getArg(0)->getType(), c->getBeginLoc()).text();
   const auto found = floats.find(from + " " + to);
   if (found == floats.end()) return reject(c->getBeginLoc(), "std::bit_cast from " + from + " to " + to);
-  return found->second + "(" + expression(c->getArg(0)) + ")";
+  return found->second + "(" + glsl(c->getArg(0)) + ")";
 }
 
 }  // namespace pelage::codegen

@@ -145,7 +145,7 @@ int run(const std::vector<std::string>& arguments) {
                                        "-fsyntax-only",
                                        "-w",
                                        "-DNDEBUG",
-                                       "-DPELAGE_ASSERT(condition)=",
+                                       "-DPELAGE_ASSERT(condition)=static_assert(true)",
                                        "-resource-dir",
                                        PELAGE_CLANG_RESOURCE_DIR,
                                        "-Xclang",

@@ -148,7 +148,7 @@ void translator::note_sizes(const NamedDecl* owner, const TemplateDecl* pattern,
 /// A static_assert over sizes becomes an #error in the mirror.
 void translator::note_condition(const StaticAssertDecl* check) {
   if (check->getMessage() == nullptr || !has_size(check->getAssertExpr())) return;
-  std::string condition = expression(check->getAssertExpr()->IgnoreImplicit());
+  std::string condition = glsl(check->getAssertExpr()->IgnoreImplicit());
   for (std::size_t i = condition.find('u'); i != std::string::npos; i = condition.find('u', i + 1)) {
     if (i > 0 && isdigit(static_cast<unsigned char>(condition[i - 1])) != 0) condition.erase(i, 1);
   }

@@ -3,144 +3,94 @@
 #include "names.hpp"
 #include "translator.hpp"
 
-#include <algorithm>
+#include <clang/Lex/Lexer.h>
+#include <llvm/ADT/TypeSwitch.h>
 
 namespace pelage::codegen {
 
 using namespace clang;
 
-/// Statements one after another, with the comments and blank lines between them.
-std::string translator::sequence(Stmt::const_child_range statements, SourceLocation end) {
-  std::string text;
-  unsigned last_line = 0;
-  for (const Stmt* s : statements) {
-    if (s == nullptr) continue;
-    text += comments_before(offset(s->getBeginLoc()), last_line);
-    if (last_line != 0 && line(s->getBeginLoc()) > last_line + 1) text += "\n";
-    std::string one = statement(s);
-    last_line = line(s->getEndLoc());
-    const std::string beside = comment_beside(s->getEndLoc());
-    if (!one.empty()) text += one + beside + "\n";
-  }
-  text += comments_before(offset(end), last_line);
-  return text;
+namespace {
+
+/// True for a statement that stands below another one: in a block, behind a case, as a branch or a loop's body.
+bool is_below(const Stmt* part, const Stmt* of) {
+  return llvm::TypeSwitch<const Stmt*, bool>(of)
+      .Case<ForStmt, WhileStmt, DoStmt>([&](const auto* x) { return part == x->getBody(); })
+      .Case<IfStmt>([&](const auto* x) { return part == x->getThen() || part == x->getElse(); })
+      .Case<SwitchCase>([&](const auto* x) { return part == x->getSubStmt(); })
+      .Default([](const Stmt* x) { return isa<CompoundStmt>(x); });
 }
 
-std::string translator::block(const Stmt* s) {
-  if (const auto* compound = dyn_cast<CompoundStmt>(s)) {
-    const auto* only = compound->size() == 1 ? dyn_cast<IfStmt>(compound->body_front()) : nullptr;
-    if (only != nullptr && only->isConstexpr()) {
-      const Stmt* branch = taken_branch(only);
-      if (branch != nullptr) return block(branch);  // in the place of the block round it
+std::string braced(const std::string& text) {
+  return text.rfind('{', 0) == 0 ? text : "{\n" + text + "\n}";
+}
+
+}  // namespace
+
+/// A statement with its semicolon.
+std::string translator::statement(const Stmt* s) {
+  const auto* e = dyn_cast<Expr>(s);
+  if (e != nullptr && !e->HasSideEffects(context_) && !e->getType()->isVoidType()) {
+    return reject(s->getBeginLoc(), "statement without effect");
+  }
+  const std::string one = glsl(s, position::statement);
+  const bool open = isa<Expr, ReturnStmt, BreakStmt, ContinueStmt, DoStmt>(s) && !one.empty() && one.back() != '}';
+  return open ? one + ";" : one;
+}
+
+/// The header's text of a statement, comments and blank lines included, with its parts in GLSL.
+std::string translator::as_written(const Stmt* s) {
+  const SourceLocation begin = s->getBeginLoc();
+  const llvm::StringRef source = sources_.getBufferData(file(begin));
+  const auto* loop = dyn_cast<ForStmt>(s);
+  std::string result;
+  unsigned done = offset(begin);
+  for (const Stmt* part : s->children()) {
+    const auto* null = dyn_cast_or_null<NullStmt>(part);
+    if (begin.isMacroID() || (null != nullptr && null->hasLeadingEmptyMacro()) ||
+        (part != nullptr && offset(part->getBeginLoc()) < done)) {
+      return reject(begin, "macro of statements: write a function");
     }
-    const std::string beside = comment_beside(compound->getLBracLoc());
-    return "{" + beside + "\n" + sequence(compound->children(), compound->getRBracLoc()) + "}";
+    if (part == nullptr || null != nullptr) continue;
+    const bool below = is_below(part, s);
+    const bool acts = loop != nullptr && part != loop->getCond();
+    std::string one = below ? statement(part) : glsl(part, acts ? position::statement : position::whole);
+    if (below && !isa<CompoundStmt, SwitchCase>(s) && one.rfind("if (", 0) != 0) one = braced(one);
+    result += source.slice(done, offset(part->getBeginLoc()));
+    if (one.empty()) result.erase(result.find_last_not_of(" \n") + 1);
+    result += one;
+    done = end_of(part, below);
   }
-  return "{\n" + statement(s) + comment_beside(s->getEndLoc()) + "\n}";
+  return result + source.slice(done, end_of(s, false)).str();
 }
 
-/// The branch of an `if constexpr`, null for none. The comments of the other one go with it.
-const Stmt* translator::taken_branch(const IfStmt* s) {
+/// Where a statement's text ends; `below`: behind its semicolon.
+unsigned translator::end_of(const Stmt* s, bool below) const {
+  const LangOptions& language = context_.getLangOpts();
+  const SourceLocation last = sources_.getExpansionRange(s->getEndLoc()).getEnd();
+  const SourceLocation behind = Lexer::findLocationAfterToken(last, tok::semi, sources_, language, false);
+  return offset(below && behind.isValid() ? behind : Lexer::getLocForEndOfToken(last, 0, sources_, language));
+}
+
+std::string translator::control(const Stmt* s, const std::string& keyword, bool declares) {
+  return declares ? reject(s->getBeginLoc(), "declaration inside `" + keyword + "`") : as_written(s);
+}
+
+std::string translator::compound(const CompoundStmt* s) {
+  const auto* only = s->size() == 1 ? dyn_cast<IfStmt>(s->body_front()) : nullptr;
+  // The branch that is taken stands in the place of the block round it.
+  return only != nullptr && only->isConstexpr() ? braced(if_statement(only)) : as_written(s);
+}
+
+std::string translator::if_statement(const IfStmt* s) {
+  if (!s->isConstexpr()) return control(s, "if", s->hasInitStorage() || s->hasVarStorage());
   if (has_size(s->getCond())) {
-    reject(s->getBeginLoc(), "`if constexpr` over a size: the size is lost, use a plain `if`");
-    return nullptr;
+    return reject(s->getBeginLoc(), "`if constexpr` over a size: the size is lost, use a plain `if`");
   }
   bool taken = false;
   (void)s->getCond()->EvaluateAsBooleanCondition(taken, context_);
-  if (const Stmt* other = taken ? s->getElse() : s->getThen()) {
-    const unsigned begin = offset(other->getBeginLoc());
-    const unsigned end = offset(other->getEndLoc());
-    const auto inside = [&](const comment& c) { return c.offset >= begin && c.offset < end; };
-    comments_.erase(
-        std::remove_if(comments_.begin() + static_cast<std::ptrdiff_t>(next_comment_), comments_.end(), inside),
-        comments_.end());
-  }
-  return taken ? s->getThen() : s->getElse();
-}
-
-std::string translator::statement(const Stmt* s) {
-  if (isa<NullStmt>(s)) return {};
-  if (isa<CompoundStmt>(s)) return block(s);
-  if (const auto* e = dyn_cast<Expr>(s)) {
-    const std::string text = effect(e);
-    return text.empty() || text.back() == '}' ? text : text + ";";
-  }
-  if (const auto* d = dyn_cast<DeclStmt>(s)) return variables(d);
-  if (const auto* r = dyn_cast<ReturnStmt>(s)) {
-    return r->getRetValue() == nullptr ? "return;" : "return " + expression(r->getRetValue(), position::whole) + ";";
-  }
-  if (const auto* i = dyn_cast<IfStmt>(s)) {
-    if (i->hasInitStorage() || i->hasVarStorage()) return reject(s->getBeginLoc(), "declaration inside `if`");
-    if (i->isConstexpr()) {
-      const Stmt* branch = taken_branch(i);
-      return branch == nullptr ? std::string() : statement(branch);
-    }
-    std::string text = "if (" + expression(i->getCond(), position::whole) + ") " + block(i->getThen());
-    if (const Stmt* other = i->getElse()) text += " else " + (isa<IfStmt>(other) ? statement(other) : block(other));
-    return text;
-  }
-  if (const auto* f = dyn_cast<ForStmt>(s)) return for_loop(f);
-  if (const auto* f = dyn_cast<CXXForRangeStmt>(s)) return range_loop(f);
-  if (const auto* w = dyn_cast<WhileStmt>(s)) {
-    if (w->hasVarStorage()) return reject(s->getBeginLoc(), "declaration inside `while`");
-    return "while (" + expression(w->getCond(), position::whole) + ") " + block(w->getBody());
-  }
-  if (const auto* d = dyn_cast<DoStmt>(s)) {
-    const std::string body = block(d->getBody());
-    return "do " + body + " while (" + expression(d->getCond(), position::whole) + ");";
-  }
-  if (const auto* w = dyn_cast<SwitchStmt>(s)) return switch_statement(w);
-  if (isa<BreakStmt>(s)) return "break;";
-  if (isa<ContinueStmt>(s)) return "continue;";
-  if (isa<GotoStmt>(s) || isa<LabelStmt>(s)) return reject(s->getBeginLoc(), "goto and labels");
-  if (isa<CXXTryStmt>(s)) return reject(s->getBeginLoc(), "exceptions");
-  if (const auto* a = dyn_cast<AttributedStmt>(s)) return statement(a->getSubStmt());
-  return reject(s->getBeginLoc(), std::string(s->getStmtClassName()) + " is not in the subset");
-}
-
-/// An expression for the sake of what it does: the only place of assignments and increments.
-std::string translator::effect(const Expr* e) {
-  e = e->IgnoreImplicit();
-  if (const auto* p = dyn_cast<ParenExpr>(e)) return effect(p->getSubExpr());
-  if (const auto* b = dyn_cast<BinaryOperator>(e); b != nullptr && b->isAssignmentOp()) {
-    if (b->isCompoundAssignmentOp()) {
-      const auto* compound = cast<CompoundAssignOperator>(b);
-      if (!context_.hasSameUnqualifiedType(compound->getComputationResultType(), b->getLHS()->getType())) {
-        return reject(e->getBeginLoc(), "compound assignment that converts: write the conversion out");
-      }
-      if (b->getOpcode() == BO_RemAssign && b->getLHS()->getType()->isSignedIntegerType()) {
-        return reject(e->getBeginLoc(), "% on signed integers");
-      }
-      arithmetic_ = arithmetic_ || b->getType()->isFloatingType();
-    }
-    const std::string left = expression(b->getLHS());
-    return left + " " + b->getOpcodeStr().str() + " " + expression(b->getRHS(), position::whole);
-  }
-  if (const auto* u = dyn_cast<UnaryOperator>(e); u != nullptr && u->isIncrementDecrementOp()) {
-    const std::string op = u->isIncrementOp() ? "++" : "--";
-    return u->isPrefix() ? op + expression(u->getSubExpr()) : expression(u->getSubExpr()) + op;
-  }
-  if (const auto* c = dyn_cast<ExplicitCastExpr>(e); c != nullptr && c->getType()->isVoidType()) {
-    const Expr* dropped = c->getSubExpr()->IgnoreParenCasts();
-    if (dropped->HasSideEffects(context_)) return expression(dropped, position::whole);
-    return {};
-  }
-  if (isa<CallExpr>(e)) return expression(e, position::whole);
-  if (isa<CXXThrowExpr>(e) || isa<CXXDeleteExpr>(e)) return unsupported(e);
-  return reject(e->getBeginLoc(), "statement without effect");
-}
-
-std::string translator::for_loop(const ForStmt* s) {
-  if (s->getConditionVariable() != nullptr) return reject(s->getBeginLoc(), "declaration inside a `for` condition");
-  std::string init = ";";
-  if (const auto* d = dyn_cast_or_null<DeclStmt>(s->getInit())) {
-    init = variables(d);
-  } else if (s->getInit() != nullptr) {
-    init = effect(cast<Expr>(s->getInit())) + ";";
-  }
-  const std::string condition = s->getCond() == nullptr ? "" : " " + expression(s->getCond(), position::whole);
-  const std::string step = s->getInc() == nullptr ? "" : " " + effect(s->getInc());
-  return "for (" + init + condition + ";" + step + ") " + block(s->getBody());
+  const Stmt* branch = taken ? s->getThen() : s->getElse();
+  return branch == nullptr ? std::string() : statement(branch);
 }
 
 /// for (T x : array): a loop over a counter that no other name can meet.
@@ -157,41 +107,16 @@ std::string translator::range_loop(const CXXForRangeStmt* s) {
   }
   const std::string name = local_name(v);
   const std::string index = "pelage_" + name + "_index";
-  const std::string item = expression(range) + "[" + index + "]";
+  const std::string item = glsl(range) + "[" + index + "]";
   std::string first;
   if (writes_to(v->getType())) {
     renamed_[v] = item;
   } else {
     const bool constant = v->getType().isConstQualified();
-    first = (constant ? "const " : "") + type_of(v->getType(), v->getLocation()).declare(name) + " = " + item + ";\n";
+    first = (constant ? "\nconst " : "\n") + type_of(v->getType(), v->getLocation()).declare(name) + " = " + item + ";";
   }
-  std::string body = block(s->getBody()).substr(1);
-  if (body.front() == '\n') body.erase(0, 1);
-  return "for (int " + index + " = 0; " + index + " < " + extent + "; ++" + index + ") {\n" + first + body;
-}
-
-std::string translator::switch_statement(const SwitchStmt* s) {
-  if (s->hasInitStorage() || s->hasVarStorage()) return reject(s->getBeginLoc(), "declaration inside `switch`");
-  const auto* body = dyn_cast<CompoundStmt>(s->getBody());
-  if (body == nullptr) return reject(s->getBeginLoc(), "switch without a block");
-  std::string text = "switch (" + expression(s->getCond()) + ") {\n";
-  for (const Stmt* one : body->children()) {
-    while (const auto* label = dyn_cast<SwitchCase>(one)) {
-      unsigned last_line = 0;
-      text += comments_before(offset(label->getBeginLoc()), last_line);
-      if (const auto* c = dyn_cast<CaseStmt>(label)) {
-        if (c->caseStmtIsGNURange()) return reject(c->getBeginLoc(), "range of cases");
-        text += "case " + expression(c->getLHS()) + ":";
-      } else {
-        text += "default:";
-      }
-      one = label->getSubStmt();
-      const bool alone = line(one->getBeginLoc()) > line(label->getColonLoc());
-      text += (alone ? comment_beside(label->getColonLoc()) : "") + "\n";
-    }
-    text += statement(one) + comment_beside(one->getEndLoc()) + "\n";
-  }
-  return text + "}";
+  return "for (int " + index + " = 0; " + index + " < " + extent + "; ++" + index + ") {" + first +
+         braced(statement(s->getBody())).substr(1);
 }
 
 std::string translator::variables(const DeclStmt* s) {
@@ -247,7 +172,7 @@ std::string translator::variable(const VarDecl* v) {
   }
   if (init == nullptr) return declared;
   const bool constant = v->getType().isConstQualified() || refers;
-  return (constant ? "const " : "") + declared + " = " + expression(init, position::whole);
+  return (constant ? "const " : "") + declared + " = " + glsl(init, position::whole);
 }
 
 void translator::check_name(const std::string& name, bool is_field, SourceLocation where) {

@@ -85,7 +85,7 @@ bool translator::storage_expression(const Expr* e, std::string& text, position a
   }
   if (const auto* c = dyn_cast<CXXOperatorCallExpr>(e)) {
     if (c->getOperator() != OO_Subscript || !is_std_type(c->getArg(0)->getType(), "span")) return false;
-    text = cell_name(c->getArg(0), expression(without_conversions(c->getArg(1))));
+    text = cell_name(c->getArg(0), glsl(without_conversions(c->getArg(1))));
     return true;
   }
   if (const auto* u = dyn_cast<UnaryOperator>(e)) {
@@ -103,7 +103,7 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
                                position at) {
   const Expr* place = referred(reference);
   if (place == nullptr) return reject(c->getBeginLoc(), "atomics: write std::atomic_ref(cell).operation(...)");
-  const std::string target = expression(place);
+  const std::string target = glsl(place);
   fresh_->where->uses_atomics = true;
   const bool wide = context_.getTypeSize(place->getType()) == 64;
   fresh_->where->uses_int64 |= wide;
@@ -112,7 +112,7 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
   if (writes && at == position::part) {
     return reject(c->getBeginLoc(), "call with an effect inside an expression: give its result a name first");
   }
-  const auto arg = [&](unsigned i) { return expression(c->getArg(first + i)); };
+  const auto arg = [&](unsigned i) { return glsl(c->getArg(first + i)); };
   const auto release = [&](const std::string& value, const std::string& order) {
     return order == "pelage_memory_order_relaxed" ? value : "pelage_release(" + value + ", " + order + ")";
   };

@@ -29,9 +29,10 @@ struct glsl_type {
   [[nodiscard]] std::string declare(const std::string& what) const { return name + " " + what + extents; }
 };
 
-/// Where an expression stands. Only a whole one may have an effect; inside another the order of evaluation, which
-/// C++ and GLSL leave open each in its own way, would show.
-enum class position { whole, part };
+/// Where something stands: inside an expression; as a statement's value, condition or result; as a statement. Only the
+/// last may assign, and only the last two may call what has an effect: inside an expression the order of evaluation,
+/// which C++ and GLSL leave open each in its own way, would show.
+enum class position { part, whole, statement };
 
 /// True where a template's integer parameter stands in a statement, which a shader may set otherwise.
 [[nodiscard]] bool has_size(const clang::Stmt* s);
@@ -106,15 +107,19 @@ class translator {
                   const clang::TemplateArgumentList& arguments);
   void note_condition(const clang::StaticAssertDecl* check);
 
+  // syntax.cpp
+  std::string glsl(const clang::Stmt* s, position at = position::part);
+  std::string outside(const clang::Stmt* s);
+  std::string reject(clang::SourceLocation where, const std::string& reason);
+
   // expressions.cpp
-  std::string expression(const clang::Expr* e, position at = position::part);
+  std::string unary(const clang::UnaryOperator* x, position at);
+  std::string binary(const clang::BinaryOperator* x, position at);
   std::string conversion(const clang::CastExpr* c, position at);
   std::string reference(const clang::DeclRefExpr* r);
   std::string member(const clang::MemberExpr* m);
   std::string listed(const std::vector<const clang::Expr*>& values);
   std::string initializer_list(const clang::InitListExpr* l);
-  std::string unsupported(const clang::Expr* e);
-  std::string reject(clang::SourceLocation where, const std::string& reason);
 
   // literals.cpp
   std::string spelling(clang::SourceLocation literal) const;
@@ -144,36 +149,24 @@ class translator {
   bool is_storage_type(clang::QualType t) const;
 
   // statements.cpp
-  std::string block(const clang::Stmt* s);
-  const clang::Stmt* taken_branch(const clang::IfStmt* s);
   std::string statement(const clang::Stmt* s);
-  std::string effect(const clang::Expr* e);
-  std::string for_loop(const clang::ForStmt* s);
+  std::string as_written(const clang::Stmt* s);
+  std::string control(const clang::Stmt* s, const std::string& keyword, bool declares);
+  std::string compound(const clang::CompoundStmt* s);
+  std::string if_statement(const clang::IfStmt* s);
   std::string range_loop(const clang::CXXForRangeStmt* s);
-  std::string switch_statement(const clang::SwitchStmt* s);
   std::string variables(const clang::DeclStmt* s);
   std::string variable(const clang::VarDecl* v);
   static bool names_constant(const clang::VarDecl* v);
   void check_name(const std::string& name, bool is_field, clang::SourceLocation where);
   std::string local_name(const clang::ValueDecl* v);
-  std::string sequence(clang::Stmt::const_child_range statements, clang::SourceLocation end);
+  unsigned end_of(const clang::Stmt* s, bool below) const;
 
   // comments.cpp
   std::string doc_above(clang::SourceLocation declaration);
   std::string doc_beside(clang::SourceLocation declaration);
-  void read_comments(const clang::Stmt* body);
-  std::string comments_before(unsigned offset, unsigned& line);
-  std::string comment_beside(clang::SourceLocation end);
   unsigned offset(clang::SourceLocation l) const { return sources_.getFileOffset(sources_.getExpansionLoc(l)); }
   clang::FileID file(clang::SourceLocation l) const { return sources_.getFileID(sources_.getExpansionLoc(l)); }
-  unsigned line(clang::SourceLocation l) const { return sources_.getExpansionLineNumber(l); }
-
-  struct comment {
-    unsigned offset;
-    unsigned line;
-    unsigned last_line;
-    std::string text;
-  };
 
   clang::ASTContext& context_;
   clang::SourceManager& sources_;
@@ -195,8 +188,6 @@ class translator {
   bool arithmetic_ = false;  ///< floating-point arithmetic seen
   std::set<std::string> locals_;
   std::map<const clang::ValueDecl*, std::string> renamed_;
-  std::vector<comment> comments_;
-  std::size_t next_comment_ = 0;
 };
 
 }  // namespace pelage::codegen

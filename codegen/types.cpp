@@ -78,7 +78,7 @@ const Expr* translator::without_conversions(const Expr* e) {
 std::string translator::size_expression(const Expr* e) {
   e = without_conversions(e);
   if (const auto* l = dyn_cast<IntegerLiteral>(e)) return llvm::toString(l->getValue(), 10, false);
-  return expression(e);
+  return glsl(e);
 }
 
 std::string translator::scalar_type(QualType t, SourceLocation where) {

@@ -4,6 +4,7 @@
 
 namespace features {
 
+template float conversions(float, float, int) noexcept;
 template float by_type(float) noexcept;
 template struct ring<6u>;
 template struct ring<9u>;

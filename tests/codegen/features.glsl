@@ -211,6 +211,11 @@ precise float features_folded(float x) {
   return x * (tenth * 3.0) + (1.9041297) + (0.25 + 0.5) + (2.0707965);
 }
 
+/// Conversions: one to the type at hand vanishes, what it encloses stays together.
+precise float features_conversions(float x, float y, int n) {
+  return (x + y) * float(n + 1) - (n < 0 ? x : y) * 2.0;
+}
+
 /// The branch that a type takes, with its own comments alone.
 precise float features_by_type(float x) {
   // In float the series' first terms.

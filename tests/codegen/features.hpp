@@ -183,6 +183,12 @@ struct turn {
   return x * (tenth * 3.0f) + (third + half_pi<float>)+(0.25f + 0.5f) + (weights[1] + half_pi<float>);
 }
 
+/// Conversions: one to the type at hand vanishes, what it encloses stays together.
+template <typename Real>
+[[nodiscard]] Real conversions(Real x, Real y, int n) noexcept {
+  return Real(x + y) * Real(n + 1) - Real(n < 0 ? x : y) * Real(2);
+}
+
 /// The branch that a type takes, with its own comments alone.
 template <typename Real>
 [[nodiscard]] Real by_type(Real x) noexcept {

@@ -50,6 +50,7 @@ TEST_CASE("Every feature of the subset means the same in GLSL") {
               out.put(features::folded(a.x));
               out.put(features::operators(features::sample_pair::of(a.x, a.y), a.z));
               out.put(features::by_type(a.x));
+              out.put(features::conversions(a.x, a.y, static_cast<int>(in.u(10) % 7U) - 3));
             },
             {{"switch", 1, bits(), bits()},
              {"loops", 1, bits(), bits()},
@@ -68,7 +69,8 @@ TEST_CASE("Every feature of the subset means the same in GLSL") {
              {"variable templates", 1, 0, 0},
              {"folded constants", 1, 0, 0},
              {"operators", 1, 0, 0},
-             {"branches by type", 1, 0, 0}});
+             {"branches by type", 1, 0, 0},
+             {"conversions", 1, 0, 0}});
   });
 }
 

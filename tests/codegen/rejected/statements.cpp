@@ -75,4 +75,15 @@ int rest(int a, int b) noexcept {
   return a % b;  // error: % on signed integers
 }
 
+#define TWICE(x) \
+  (x) += 1;      \
+  (x) += 1
+
+int statements_of_a_macro(int x) noexcept {
+  if (x > 0) {  // error: macro of statements: write a function
+    TWICE(x);
+  }
+  return x;
+}
+
 }  // namespace rejected

@@ -5,7 +5,7 @@
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 // Each feature of the subset, as pelage-glsl translates it.
 #define STRIDE 13u
-#define RESULTS 21u
+#define RESULTS 22u
 #include "table.glsl"
 
 #include "../../codegen/features.glsl"
@@ -40,4 +40,5 @@ void main() {
   put(18u, features_folded(a.x));
   put(19u, features_operators(features_sample_pair_of(a.x, a.y), a.z));
   put(20u, features_by_type(a.x));
+  put(21u, features_conversions(a.x, a.y, int(u(10u) % 7u) - 3));
 }
