@@ -59,8 +59,9 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const clock::time_point pass_start = clock::now();
   const raster fragments(fibres, set.eye, settings.antialias);
   const double prepared = seconds_since(pass_start);
-  const shaded_fibres shades(world, fragments, settings.shading_spacing);
-  camera_film film(fragments, world, shades, settings.shown, settings.antialias);
+  const backdrop behind(set.eye, world, settings.antialias);
+  const shaded_fibres shades(world, fragments, behind.limit(), settings.shading_spacing);
+  camera_film film(fragments, behind, shades, settings.shown);
   const double shaded = seconds_since(pass_start) - prepared;
   const order_report report = draw_on(film, settings.blend, fragments, options);
   result.picture = film.picture();

@@ -69,7 +69,7 @@ order_report run_list_pass(const raster& from, std::span<const float> limit,
                            std::span<const std::uint32_t> drawing_order, const list_visitor& visit) {
   order_report report;
   stopwatch watch;
-  const tiles bins(from, drawing_order);
+  const tiles bins(from, limit, drawing_order);
   report.bin_seconds = watch.lap();
   tbb::enumerable_thread_specific<tile_lists> scratch;
   tbb::parallel_for(0, bins.count(), [&](int t) {

@@ -52,6 +52,9 @@ class raster {
   /// The pixels of the view that the segment may touch; empty (x0 >= x1 or y0 >= y1) when there are none.
   [[nodiscard]] pixel_rect bounds(std::uint32_t segment) const { return outline_of(segment).box; }
 
+  /// A view depth that none of the segment's fragments lies before, rounding apart.
+  [[nodiscard]] float nearest_depth(std::uint32_t segment) const;
+
   /// From end to end in pixels; an end nearer than the near plane is taken to lie on it.
   [[nodiscard]] float length_on_screen(std::uint32_t segment) const {
     const std::uint32_t i = fibres_.segment[segment];
@@ -205,6 +208,15 @@ inline raster::touches raster::at_centres(std::uint32_t segment, lanes<width> x,
   share = select(pair.along_ray < near_plane, zero, select(axis_depth < near_plane, zero, share));
   if (!seen_end_on) share = select(behind_start, zero, select(before_end, share, zero));
   return {pair.along_ray, share, pair.along_segment};
+}
+
+// A fragment's depth is that of a point on the pixel's ray, which the fibre and the pixel's disc there reach.
+inline float raster::nearest_depth(std::uint32_t segment) const {
+  const std::uint32_t i = fibres_.segment[segment];
+  const projected& a = point_[i];
+  const projected& b = point_[i + 1];
+  const float reach = std::max(a.radius, b.radius) + view_.cone.base;
+  return (-std::max(a.position.z, b.position.z) - reach) / (1.0F + view_.cone.slope);
 }
 
 inline touch raster::at(std::uint32_t segment, int x, int y) const {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "frame/occluder.hpp"
+
 namespace pelage::frame {
 namespace {
 
@@ -16,16 +18,25 @@ constexpr std::uint32_t block = 32;  ///< segments whose shadows are fetched tog
 
 }  // namespace
 
-shaded_fibres::shaded_fibres(const scene& world, const raster& from, float spacing) : world_(world), from_(from) {
+shaded_fibres::shaded_fibres(const scene& world, const raster& from, std::span<const float> limit, float spacing)
+    : world_(world), from_(from) {
   if (spacing == 0.0F) return;
   const strands& fibres = from_.fibres();
   const std::uint32_t segments = fibres.segment_count();
-  first_.assign(fibres.point.size() + 1, 1);
-  first_.back() = 0;
-  tbb::parallel_for(0U, segments, [&](std::uint32_t s) { first_[fibres.segment[s]] = intervals(s, spacing); });
+  const occluder hidden(from_, limit);
+  first_.assign(fibres.point.size() + 1, 0);
+  tbb::parallel_for(0U, segments, [&](std::uint32_t s) {
+    const pixel_rect bounds = from_.bounds(s);
+    const bool empty = bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1;
+    if (!empty && !hidden.hides(s, bounds)) first_[fibres.segment[s]] = intervals(s, spacing);
+  });
   std::uint32_t next = 0;
-  for (std::uint32_t& first : first_)
-    next += std::exchange(first, next);
+  std::uint32_t before = 0;  // intervals of the segment that ends here
+  for (std::uint32_t& first : first_) {
+    const std::uint32_t after = std::exchange(first, next);
+    next += after == 0 && before > 0 ? 1 : after;
+    before = after;
+  }
   place_.resize(next);
   tbb::parallel_for(0U, (segments + block - 1) / block, [&](std::uint32_t b) {
     const std::uint32_t begin = b * block;
@@ -48,13 +59,12 @@ void shaded_fibres::for_each_place(std::uint32_t begin, std::uint32_t end, Visit
     const std::uint32_t count = first_[point + 1] - first;
     for (std::uint32_t i = 0; i < count; ++i)
       visit(first + i, s, static_cast<float>(i) / static_cast<float>(count));
-    if ((fibres.end_of[point + 1] & strands::last) != 0) visit(first + count, s, 1.0F);
+    const bool ends = (fibres.end_of[point + 1] & strands::last) != 0;
+    if (ends && first_[point + 2] > first_[point + 1]) visit(first + count, s, 1.0F);
   }
 }
 
 std::uint32_t shaded_fibres::intervals(std::uint32_t segment, float spacing) const {
-  const pixel_rect seen = from_.bounds(segment);
-  if (seen.x0 >= seen.x1 || seen.y0 >= seen.y1) return 1;
   const float count = std::ceil(from_.length_on_screen(segment) / spacing);
   return count > 1.0F ? static_cast<std::uint32_t>(std::min(count, static_cast<float>(most_intervals))) : 1;
 }

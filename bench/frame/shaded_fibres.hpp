@@ -3,6 +3,7 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "frame/raster.hpp"
@@ -13,14 +14,15 @@ namespace pelage::frame {
 /// The radiance of all fibres toward one eye. Shading is evaluated at the ends of each segment and at places between
 /// them, evenly spaced along it and at most a given number of pixels apart on the screen; elsewhere it is mixed from
 /// the two places beside. So its cost depends on the fibres' length on the screen, not on how many fragments they
-/// leave, and the result not on the order in which those are met.
+/// leave, and the result not on the order in which those are met. What opaque objects hide is not shaded.
 class shaded_fibres {
  public:
-  /// `spacing`: pixels, (0, inf]; 0: nothing is mixed, each question is answered by itself. A segment has at most 64
-  /// intervals, one that leaves no fragments a single one. Both references must outlive this. O(points), parallel.
-  shaded_fibres(const scene& world, const raster& from, float spacing);
+  /// `limit`: view depth per pixel at and behind which no fibre is seen, or empty. `spacing`: pixels, (0, inf]; 0:
+  /// nothing is mixed, each question is answered by itself. A segment has at most 64 intervals. Both references must
+  /// outlive this. O(points), parallel.
+  shaded_fibres(const scene& world, const raster& from, std::span<const float> limit, float spacing);
 
-  /// Linear RGB at a place on a segment.
+  /// Linear RGB at a place on a segment, where it leaves a fragment before the limit.
   [[nodiscard]] glm::vec3 at(std::uint32_t segment, float along) const;
 
   /// Evaluations that the constructor made.

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "frame/backdrop.hpp"
 #include "frame/image.hpp"
 #include "frame/layer.hpp"
 #include "frame/order_pass.hpp"
-#include "frame/scene.hpp"
 #include "frame/shaded_fibres.hpp"
 
 namespace pelage::frame {
@@ -29,15 +29,15 @@ enum class components {
 
 /// The camera's end of the path: gathers a pixel's fibres over the opaque objects and the background.
 ///
-/// With anti-aliasing a pixel sees the opaque objects by 3 × 3 samples, and a fibre counts with the share of samples
-/// that it lies in front of: at an object's edge neither hair nor background shines through the object.
+/// A fibre counts with the share of the backdrop's samples that it lies in front of: at an object's edge neither hair
+/// nor background shines through the object.
 class camera_film final : public pixel_visitor {
  public:
-  /// `shades`: of the fibres toward the raster's eye. All references must outlive the film.
-  camera_film(const raster& from, const scene& world, const shaded_fibres& shades, components shown, bool antialias);
+  /// `behind`, `shades`: of the raster's eye. All references must outlive the film.
+  camera_film(const raster& from, const backdrop& behind, const shaded_fibres& shades, components shown);
 
-  /// View depth of the farthest opaque sample in each pixel, +inf where one sees none: what is behind is hidden.
-  [[nodiscard]] std::span<const float> limit() const { return limit_; }
+  /// See backdrop::limit().
+  [[nodiscard]] std::span<const float> limit() const { return behind_.limit(); }
 
   void expect(std::span<const std::uint32_t> fragments_per_pixel) override { (void)fragments_per_pixel; }
   void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) override;
@@ -53,20 +53,14 @@ class camera_film final : public pixel_visitor {
 
  private:
   [[nodiscard]] std::size_t index(int x, int y) const;
-  void see_opaque(int x, int y);
-  [[nodiscard]] glm::vec2 sample_position(int x, int y, int sample) const;
   [[nodiscard]] float visible_coverage(std::size_t pixel, const touch& where) const;
   [[nodiscard]] float opacity(const seen_fragment& f) const;
 
   const raster& from_;
-  const scene& world_;
+  const backdrop& behind_;
   const shaded_fibres& shades_;
   components shown_;
-  int side_;                         ///< samples of opaque objects along a pixel's side
-  std::vector<float> sample_depth_;  ///< side² a pixel
-  std::vector<float> nearest_;       ///< the least of them
-  std::vector<float> limit_;         ///< the greatest
-  image picture_;                    ///< what is behind the fibres, until a pixel is finished
+  image picture_;  ///< what is behind the fibres, until a pixel is finished
 };
 
 }  // namespace pelage::frame

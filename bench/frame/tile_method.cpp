@@ -147,7 +147,7 @@ class tile_worker {
 template <std::uint32_t K>
 void run_tiles(order_job& work) {
   stopwatch watch;
-  const tiles bins(work.from, work.drawing_order);
+  const tiles bins(work.from, work.limit, work.drawing_order);
   work.report.bin_seconds = watch.lap();
   tbb::enumerable_thread_specific<tile_worker<K>> workers;
   tbb::parallel_for(0, bins.count(), [&](int t) { workers.local().run(work, bins.rect(t), bins.segments(t)); });

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "frame/occluder.hpp"
+
 namespace pelage::frame {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr std::size_t chunk = 8192;  ///< segments that one task bins
 
 }  // namespace
 
-tiles::tiles(const raster& from, std::span<const std::uint32_t> drawing_order)
+tiles::tiles(const raster& from, std::span<const float> limit, std::span<const std::uint32_t> drawing_order)
     : width_(from.from().width),
       height_(from.from().height),
       across_((width_ + side - 1) / side),
@@ -36,8 +38,11 @@ tiles::tiles(const raster& from, std::span<const std::uint32_t> drawing_order)
       }
     }
   };
-  tbb::parallel_for(std::size_t{0}, segments,
-                    [&](std::size_t s) { bounds[s] = from.bounds(static_cast<std::uint32_t>(s)); });
+  const occluder hidden(from, limit);
+  tbb::parallel_for(0U, from.fibres().segment_count(), [&](std::uint32_t s) {
+    const pixel_rect box = from.bounds(s);
+    bounds[s] = hidden.hides(s, box) ? pixel_rect{0, 0, 0, 0} : box;
+  });
   tbb::parallel_for(std::size_t{0}, chunks,
                     [&](std::size_t c) { walk(c, [](std::size_t& n, std::uint32_t) { ++n; }); });
 

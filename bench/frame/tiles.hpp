@@ -14,9 +14,10 @@ class tiles {
  public:
   static constexpr int side = 32;  ///< pixels
 
-  /// `drawing_order`: the segments' numbers in any order, or empty for 0, 1, 2…  The lists' order follows it, on any
-  /// number of threads. O(segments + entries), parallel; 4 bytes an entry.
-  tiles(const raster& from, std::span<const std::uint32_t> drawing_order);
+  /// `limit`: view depth per pixel, at and behind which nothing is seen, or empty; segments that it hides whole are in
+  /// no list. `drawing_order`: the segments' numbers in any order, or empty for 0, 1, 2…  The lists' order follows it,
+  /// on any number of threads. O(segments + entries), parallel; 4 bytes an entry.
+  tiles(const raster& from, std::span<const float> limit, std::span<const std::uint32_t> drawing_order);
 
   [[nodiscard]] int count() const { return across_ * down_; }
   [[nodiscard]] pixel_rect rect(int tile) const;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace pelage::test {
 
@@ -38,7 +39,7 @@ bool near(const glm::vec3& a, const glm::vec3& b, float tolerance) {
 TEST_CASE("at spacing 0 every place is shaded by itself") {
   holds("anywhere", [] {
     const lit_scene s;
-    const shaded_fibres shades(s.world, s.from, 0.0F);
+    const shaded_fibres shades(s.world, s.from, {}, 0.0F);
     const std::uint32_t segment = s.any_segment();
     const float along = any_float(0.0F, 1.0F);
     RC_ASSERT(shades.evaluations() == 0U);
@@ -49,7 +50,7 @@ TEST_CASE("at spacing 0 every place is shaded by itself") {
 TEST_CASE("at a segment's ends the shading is exact, and between two places it is mixed from them") {
   holds("whole segments", [] {
     const lit_scene s;
-    const shaded_fibres shades(s.world, s.from, whole_segments);
+    const shaded_fibres shades(s.world, s.from, {}, whole_segments);
     const std::uint32_t segment = s.any_segment();
     const float along = any_float(0.0F, 1.0F);
     const glm::vec3 first = s.exact(segment, 0.0F);
@@ -61,7 +62,7 @@ TEST_CASE("at a segment's ends the shading is exact, and between two places it i
   holds("places a spacing apart at most", [] {
     const lit_scene s;
     const float spacing = any_float(1.0F, 16.0F);
-    const shaded_fibres shades(s.world, s.from, spacing);
+    const shaded_fibres shades(s.world, s.from, {}, spacing);
     const std::uint32_t segment = s.any_segment();
     const float intervals = std::max(1.0F, std::ceil(s.from.length_on_screen(segment) / spacing));
     const float before = std::floor(any_float(0.0F, 1.0F) * intervals);
@@ -75,12 +76,29 @@ TEST_CASE("at a segment's ends the shading is exact, and between two places it i
 TEST_CASE("two segments that meet are shaded alike where they meet, and points are shaded once") {
   holds("at joints", [] {
     const lit_scene s;
-    const shaded_fibres shades(s.world, s.from, whole_segments);
+    const shaded_fibres shades(s.world, s.from, {}, whole_segments);
     RC_ASSERT(shades.evaluations() == s.fibres.point.size());
     for (std::uint32_t segment = 0; segment + 1 < s.fibres.segment_count(); ++segment) {
       if (s.fibres.segment[segment] + 1 != s.fibres.segment[segment + 1]) continue;
       RC_ASSERT(near(shades.at(segment, 1.0F), shades.at(segment + 1, 0.0F), 0.0F));
     }
+  });
+}
+
+TEST_CASE("what no limit hides is shaded as without limits, and what is hidden whole is not shaded") {
+  holds("behind and before a wall", [] {
+    const lit_scene s;
+    const std::vector<float> wall(64 * 64, any_float(3.5F, 6.5F));
+    const float spacing = any_float(1.0F, 16.0F);
+    const shaded_fibres all(s.world, s.from, {}, spacing);
+    const shaded_fibres some(s.world, s.from, wall, spacing);
+    for (std::uint32_t segment = 0; segment < s.fibres.segment_count(); ++segment) {
+      s.from.for_each(segment, whole(s.eye), [&](int, int, const touch& t) {
+        if (t.depth < wall.front()) RC_ASSERT(near(some.at(segment, t.along), all.at(segment, t.along), 0.0F));
+      });
+    }
+    RC_ASSERT(some.evaluations() <= all.evaluations());
+    RC_ASSERT(shaded_fibres(s.world, s.from, std::vector<float>(64 * 64, 3.0F), spacing).evaluations() == 0U);
   });
 }
 

@@ -4,11 +4,13 @@
 
 #include "frame/built_in.hpp"
 #include "frame/fibres.hpp"
+#include "frame/occluder.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
 #include <set>
+#include <span>
 #include <vector>
 
 namespace pelage::test {
@@ -23,9 +25,11 @@ std::vector<std::vector<std::uint32_t>> lists_of(const tiles& cut) {
   return lists;
 }
 
-bool leaves_fragments(const raster& from, std::uint32_t segment, const pixel_rect& rect) {
+bool leaves_fragments(const raster& from, std::span<const float> limit, std::uint32_t segment, const pixel_rect& rect) {
   bool any = false;
-  from.for_each(segment, rect, [&](int, int, const touch&) { any = true; });
+  from.for_each(segment, rect, [&](int x, int y, const touch& t) {
+    any = any || limit.empty() || !(t.depth >= limit[static_cast<std::size_t>(y * from.from().width + x)]);
+  });
   return any;
 }
 
@@ -34,7 +38,7 @@ TEST_CASE("the tiles share out the picture's pixels, one to each") {
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(32, 32), std::pair(33, 31), std::pair(100, 65)}) {
     const view v = perspective_view({0.0F, 0.0F, 1.0F}, glm::vec3(0.0F), 1.0F, width, height, 0.1F);
     const raster from(none, v, true);
-    const tiles cut(from, {});
+    const tiles cut(from, {}, {});
     std::vector<int> owners(static_cast<std::size_t>(width * height), 0);
     for (int t = 0; t < cut.count(); ++t) {
       CHECK(cut.segments(t).empty());
@@ -48,18 +52,22 @@ TEST_CASE("the tiles share out the picture's pixels, one to each") {
   }
 }
 
-TEST_CASE("a tile lists every segment that leaves fragments in it, once") {
+TEST_CASE("a tile lists every segment that leaves visible fragments in it, once, and none that is hidden whole") {
   holds("nothing is missing", [] {
     const strands fibres = fibres_of(any_lines(8, glm::vec3(0.0F), 1.0F), any_float(0.0F, 0.1F), 1.0F);
     const float distance = any_float(0.1F, 3.0F);
     const view v = perspective_view({0.0F, 0.0F, distance}, glm::vec3(0.0F), 0.5F, 70, 50, 0.05F);
     const raster from(fibres, v, true);
-    const tiles cut(from, {});
+    const std::vector<float> wall(70 * 50, any_float(0.05F, 4.0F));
+    const std::span<const float> limit = *rc::gen::arbitrary<bool>() ? std::span(wall) : std::span<const float>();
+    const tiles cut(from, limit, {});
+    const occluder hidden(from, limit);
     for (int t = 0; t < cut.count(); ++t) {
       const std::set<std::uint32_t> listed(cut.segments(t).begin(), cut.segments(t).end());
       RC_ASSERT(listed.size() == cut.segments(t).size());
       for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
-        if (leaves_fragments(from, s, cut.rect(t))) RC_ASSERT(listed.contains(s));
+        if (leaves_fragments(from, limit, s, cut.rect(t))) RC_ASSERT(listed.contains(s));
+        if (hidden.hides(s, from.bounds(s))) RC_ASSERT(!listed.contains(s));
       }
     }
   });
@@ -73,7 +81,7 @@ TEST_CASE("a tile's list follows the drawing order, on any number of threads") {
   std::iota(backwards.rbegin(), backwards.rend(), 0U);
 
   const auto lists_on = [&](int count, std::span<const std::uint32_t> order) {
-    return on_threads(count, [&] { return lists_of(tiles(from, order)); });
+    return on_threads(count, [&] { return lists_of(tiles(from, {}, order)); });
   };
   const auto by_number = lists_on(1, {});
   for (const int count : {1, 2, 4}) {
