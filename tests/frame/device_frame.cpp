@@ -99,6 +99,52 @@ TEST_CASE("Where K holds all fragments the picture is that of sorted lists") {
   CHECK(sorted->hash != draw(small_frame(order_method::k_buffer, 4))->hash);
 }
 
+constexpr blend_method without_lists[]{blend_method::order_weighted, blend_method::depth_peeling};
+
+TEST_CASE("Blended and shadowed without lists, a device's picture is the processor's but for rounding") {
+  for (const blend_method blend : without_lists) {
+    for (const bool antialias : {false, true}) {
+      CAPTURE(static_cast<int>(blend));
+      CAPTURE(antialias);
+      frame_settings settings = small_frame(order_method::k_buffer, 4);
+      settings.blend.method = blend;
+      settings.shadow.method = shadow_method::occupancy;
+      settings.antialias = antialias;
+      const std::optional<device_frame> got = draw(settings, 10);
+      if (!got) return;
+      CHECK(got->same == got->frames);
+      const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
+      CHECK(compare(got->picture, expected.picture).rms < 0.001);
+      settings.shuffle = 5;
+      CHECK(draw(settings)->hash == got->hash);
+    }
+  }
+}
+
+TEST_CASE("All layers peeled are the picture of sorted lists") {
+  frame_settings settings = small_frame(order_method::selection_sort, 64);
+  const std::optional<device_frame> sorted = draw(settings);
+  if (!sorted) return;
+  settings.blend.method = blend_method::depth_peeling;
+  const std::optional<device_frame> peeled = draw(settings);
+  CHECK(peeled->hash == sorted->hash);
+  CHECK(peeled->views.back().longest == sorted->views.back().longest);
+}
+
+TEST_CASE("Occupancy maps shadow pixels made in any way") {
+  for (const blend_method blend : {blend_method::k_buffer, blend_method::order_weighted, blend_method::depth_peeling}) {
+    CAPTURE(static_cast<int>(blend));
+    frame_settings settings = small_frame(order_method::atomic_k_buffer, 64);
+    settings.blend.method = blend;
+    const std::optional<device_frame> by_lists = draw(settings);
+    if (!by_lists) return;
+    settings.shadow.method = shadow_method::occupancy;
+    const double apart = compare(draw(settings)->picture, by_lists->picture).rms;
+    CHECK(apart > 0.0);
+    CHECK(apart < 0.02);
+  }
+}
+
 TEST_CASE("The order of drawing does not change a device's picture") {
   frame_settings settings = small_frame(order_method::k_buffer, 4);
   const std::optional<device_frame> one = draw(settings);
@@ -116,8 +162,16 @@ TEST_CASE("What the shaders do not have is refused in one line") {
   settings.look.model = bsdf_model::chiang;
   CHECK(refusal(settings).find("--bsdf") != std::string::npos);
   settings = small_frame(order_method::k_buffer, 8);
-  settings.shadow.method = shadow_method::occupancy;
+  settings.shadow.method = shadow_method::deep;
   CHECK(refusal(settings).find("--shadow") != std::string::npos);
+  settings = small_frame(order_method::k_buffer, 8);
+  settings.blend.method = blend_method::stochastic;
+  CHECK(refusal(settings).find("--blend") != std::string::npos);
+  settings = small_frame(order_method::full_sort, 8);
+  settings.blend.method = blend_method::order_weighted;
+  CHECK(refusal(settings).find("--order full_sort") != std::string::npos);  // maps are made by it
+  settings.shadow.method = shadow_method::occupancy;
+  CHECK(refusal(settings).empty());  // nothing is
 }
 
 }  // namespace pelage::test

@@ -29,7 +29,9 @@ enum binding : std::uint32_t {
   picture_buffer,
   report_buffer,
   link_buffer,
-  slot_buffer
+  slot_buffer,
+  cell_buffer,
+  blended_buffer
 };
 
 /// The words of shaders/scene.glsl's report of a view.

@@ -53,7 +53,7 @@ class device {
 
   /// Runs the steps, most_steps at most, one after another. Milliseconds of each, by the device's clock.
   [[nodiscard]] std::vector<double> run(std::span<const step> steps);
-  static constexpr std::uint32_t most_steps = 255;
+  static constexpr std::uint32_t most_steps = 4095;
 
  private:
   void pick();

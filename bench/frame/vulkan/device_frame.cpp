@@ -6,72 +6,19 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <stdexcept>
 
 #include "frame/stage.hpp"
 #include "frame/vulkan/buffers.hpp"
 #include "frame/vulkan/device.hpp"
+#include "frame/vulkan/plan.hpp"
 #include "frame/vulkan/scene_block.hpp"
 
 namespace pelage::frame {
 namespace {
 
 using namespace vulkan;
-
-constexpr std::uint32_t any_k[]{4, 8, 16, 32, 64};  ///< that resolving kernels are compiled for
-
-/// What the shaders do not have is refused before any work.
-void check(const frame_settings& s) {
-  if (std::find(std::begin(any_k), std::end(any_k), s.k) == std::end(any_k)) {
-    throw std::runtime_error("--device vulkan: --k must be 4, 8, 16, 32 or 64");
-  }
-  if (s.look.model != bsdf_model::kajiya_kay || s.look.pigment) {
-    throw std::runtime_error("--device vulkan: fibres are lit by --bsdf kajiya_kay in their own colours");
-  }
-  if (s.shadow.method != shadow_method::k_buffer) {
-    throw std::runtime_error("--device vulkan: maps are made by --shadow k_buffer");
-  }
-  if (s.blend.method != blend_method::k_buffer) {
-    throw std::runtime_error("--device vulkan: pixels are made by --blend k_buffer");
-  }
-}
-
-/// What a method asks for.
-struct plan {
-  std::vector<std::string> build;  ///< kernels that put fragments into the structure; # stands for K
-  std::string resolve;             ///< kernel that takes them out; @ stands for the sink
-  bool by_subgroup;                ///< that has a subgroup a pixel
-  bool records;                    ///< the camera's runs hold records
-  std::uint32_t lists;             ///< a pixel; 0: the pool is cut into runs
-  bool slots;                      ///< K of 8 bytes a pixel stand before the list
-};
-
-plan plan_of(order_method method) {
-  switch (method) {
-    case order_method::k_buffer:
-      return {{"count", "allocate", "scatter"}, "select_@_#", true, true, 0, false};
-    case order_method::a_buffer:
-      return {{"push"}, "resolve_lists_@_#", false, false, 1, false};
-    case order_method::ordered_list:
-      return {{"insert_ordered"}, "resolve_ordered_@", false, false, 2, false};
-    case order_method::atomic_k_buffer:
-      return {{"clear_slots_#", "insert_atomic_#"}, "resolve_slots_@_#", false, false, 1, true};
-    case order_method::two_pass_k_buffer:
-      return {{"offer_depths_#", "insert_ids_#"}, "resolve_split_@_#", false, false, 1, true};
-    case order_method::selection_sort:
-      return {{"count", "allocate", "scatter"}, "resolve_sorted_@", false, false, 0, false};
-    case order_method::full_sort:
-      break;
-  }
-  throw std::runtime_error("--device vulkan: there is no --order full_sort; selection_sort gives its picture");
-}
-
-/// A plan's kernel for one sink and K.
-std::string kernel_name(std::string pattern, const std::string& sink, std::uint32_t k) {
-  if (const std::size_t at = pattern.find('@'); at != std::string::npos) pattern.replace(at, 1, sink);
-  if (const std::size_t at = pattern.find('#'); at != std::string::npos) pattern.replace(at, 1, std::to_string(k));
-  return pattern;
-}
 
 std::uint64_t hash_of(std::span<const float> values) {
   std::uint64_t hash = 14695981039346656037U;  // FNV-1a, by words
@@ -86,14 +33,43 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+/// The steps of a frame that are reported together: a pass that is repeated for each layer is one.
+struct pass_of {
+  std::string view;
+  std::string name;
+  std::vector<std::size_t> steps;
+};
+
+std::vector<pass_of> passes_of(const std::vector<step>& frame) {
+  std::vector<pass_of> all;
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const auto same = [&](const pass_of& p) { return p.view == frame[i].view && p.name == frame[i].pass; };
+    auto found = std::find_if(all.begin(), all.end(), same);
+    if (found == all.end()) found = all.insert(all.end(), {frame[i].view, frame[i].pass, {}});
+    found->steps.push_back(i);
+  }
+  return all;
+}
+
+double sum_of(const std::vector<double>& milliseconds, const std::vector<std::size_t>& steps) {
+  double sum = 0;
+  for (const std::size_t i : steps)
+    sum += milliseconds[i];
+  return sum;
+}
+
 /// One model and view on one device.
 class session {
  public:
   session(const stage& set, const frame_settings& settings)
-      : set_(set), k_(settings.k), shadows_(has_shadows(settings.shown)), plan_(plan_of(settings.order)) {
-    if (settings.order == order_method::atomic_k_buffer && !device_.has_64_bit_atomics()) {
+      : set_(set),
+        k_(settings.k),
+        shadows_(has_shadows(settings.shown)),
+        light_plan_(plan_of(settings, false)),
+        camera_plan_(plan_of(settings, true)) {
+    if (needs_64_bit_atomics(settings) && !device_.has_64_bit_atomics()) {
       throw std::runtime_error("--device vulkan: " + device_.name() +
-                               " has no 64-bit atomics for --order atomic_k_buffer");
+                               " has no 64-bit atomics for --order atomic_k_buffer or --blend depth_peeling");
     }
     const scene_block constants = make_scene_block(set, settings);
     device_.resize(scene_buffer, sizeof constants);
@@ -123,6 +99,7 @@ class session {
 
  private:
   [[nodiscard]] std::uint32_t camera() const { return static_cast<std::uint32_t>(set_.lights.size()); }
+  [[nodiscard]] const plan& plan_for(std::uint32_t v) const { return v == camera() ? camera_plan_ : light_plan_; }
   [[nodiscard]] const view& view_of(std::uint32_t v) const { return v == camera() ? set_.eye : set_.light_views[v]; }
   [[nodiscard]] std::uint64_t pixels(std::uint32_t v) const {
     return static_cast<std::uint64_t>(view_of(v).width) * static_cast<std::uint64_t>(view_of(v).height);
@@ -146,15 +123,19 @@ class session {
             std::uint32_t value) const {
     to.push_back({view_name(v), "clear " + what, "", binding, value, 0, false, {}});
   }
-  void run(std::vector<step>& to, std::uint32_t v, const std::string& kernel, std::uint64_t invocations,
-           bool by_subgroup = false) const {
-    to.push_back({view_name(v), kernel, kernel, 0, 0, invocations, by_subgroup, {v, capacity_, plan_.lists, k_}});
+  void run(std::vector<step>& to, std::uint32_t v, const std::string& kernel, over what) const {
+    to.push_back({view_name(v),
+                  kernel,
+                  kernel,
+                  0,
+                  0,
+                  what == over::segments ? set_.fibres.segment_count() : blocks(v),
+                  what == over::subgroups,
+                  {v, capacity_, plan_for(v).lists, k_}});
   }
-  void allocate(std::vector<step>& to, std::uint32_t v) const {
-    run(to, v, "opaque", blocks(v));
-    fill(to, v, "counts", count_buffer, 0);
-    run(to, v, "count", set_.fibres.segment_count());
-    run(to, v, "allocate", blocks(v));
+  void run(std::vector<step>& to, std::uint32_t v, const std::vector<plan::pass>& passes) const {
+    for (const plan::pass& p : passes)
+      run(to, v, p.kernel, p.what);
   }
 
   void make_buffers();
@@ -167,7 +148,8 @@ class session {
   const stage& set_;
   std::uint32_t k_;
   bool shadows_;
-  plan plan_;
+  plan light_plan_;
+  plan camera_plan_;
   std::uint32_t capacity_ = 0;
   std::vector<view_report> counted_;
   std::vector<step> frame_;
@@ -182,7 +164,7 @@ void session::make_buffers() {
   }
   const std::uint64_t points = set_.fibres.point.size();
   device_.resize(limit_buffer, all * sizeof(float));
-  device_.resize(sample_buffer, pixels(camera()) * 9 * sizeof(float));
+  device_.resize(sample_buffer, pixels(camera()) * 10 * sizeof(float));
   device_.resize(count_buffer, most * sizeof(std::uint32_t));
   device_.resize(run_buffer, most * 2 * sizeof(std::uint32_t));
   device_.resize(report_buffer, (set_.lights.size() + 1) * sizeof(view_report));
@@ -191,20 +173,23 @@ void session::make_buffers() {
   device_.resize(picture_buffer, pixels(camera()) * 3 * sizeof(float));
   device_.resize(pool_buffer, 0);
   device_.resize(record_buffer, 0);
-  measure();
   const std::uint64_t texels = all - pixels(camera());
-  const std::uint64_t entries = plan_.resolve == "resolve_sorted_@" ? camera() * std::uint64_t{capacity_} : texels * k_;
-  const std::uint64_t links = plan_.lists == 0 ? 0 : plan_.lists * most + capacity_;
+  device_.resize(cell_buffer, (light_plan_.maps || camera_plan_.maps ? all : 0) * 12 * sizeof(std::uint32_t));
+  device_.resize(blended_buffer, pixels(camera()) * camera_plan_.blended * sizeof(std::uint32_t));
+  measure();
+  const std::uint64_t entries = light_plan_.whole ? camera() * std::uint64_t{capacity_} : texels * k_;
+  const std::uint64_t lists = std::max(light_plan_.lists, camera_plan_.lists);
+  const std::uint64_t links = lists == 0 ? 0 : lists * most + capacity_;
   if (links > 0xff000000U || entries > 0xffffffffU) {
     throw std::runtime_error("--device vulkan: the frame has more fragments than can be numbered");
   }
   device_.resize(pool_buffer, std::uint64_t{capacity_} * 2 * sizeof(std::uint32_t));
-  device_.resize(texel_buffer, texels * 4 * sizeof(std::uint32_t));
-  device_.resize(entry_buffer, entries * 2 * sizeof(std::uint32_t));
+  device_.resize(texel_buffer, (light_plan_.pool ? texels : 0) * 4 * sizeof(std::uint32_t));
+  device_.resize(entry_buffer, (light_plan_.pool ? entries : 0) * 2 * sizeof(std::uint32_t));
   device_.resize(link_buffer, links * sizeof(std::uint32_t));
-  device_.resize(slot_buffer, plan_.slots ? most * k_ * sizeof(std::uint64_t) : 0);
+  device_.resize(slot_buffer, most * std::max(light_plan_.slots, camera_plan_.slots) * sizeof(std::uint64_t));
   device_.resize(record_buffer,
-                 plan_.records ? std::uint64_t{counted_[camera()].taken} * 4 * sizeof(std::uint32_t) : 0);
+                 camera_plan_.records ? std::uint64_t{counted_[camera()].taken} * 4 * sizeof(std::uint32_t) : 0);
   tally();
   make_frame();
 }
@@ -221,78 +206,71 @@ void session::measure() {
   std::vector<step> steps;
   fill(steps, camera(), "reports", report_buffer, 0);
   fill(steps, camera(), "seen", seen_buffer, 0);
-  for (const std::uint32_t v : views())
-    allocate(steps, v);
+  for (const std::uint32_t v : views()) {
+    if (!plan_for(v).pool) continue;
+    run(steps, v, "opaque", over::pixels);
+    fill(steps, v, "counts", count_buffer, 0);
+    run(steps, v, {{"count", over::segments}, {"allocate", over::pixels}});
+  }
   counted_ = run_and_read(steps);
   for (const view_report& r : counted_)
     capacity_ = std::max(capacity_, r.taken);
 }
 
-/// Counts the fragments of every view once, for the report.
+/// Counts the fragments of every view once, for the report and for layers.
 void session::tally() {
   std::vector<step> steps;
   fill(steps, camera(), "reports", report_buffer, 0);
   for (const std::uint32_t v : views()) {
-    allocate(steps, v);
-    run(steps, v, "scatter", set_.fibres.segment_count());
-    run(steps, v, "tally", blocks(v));
+    run(steps, v, "opaque", over::pixels);
+    fill(steps, v, "counts", count_buffer, 0);
+    run(steps, v, {{"count_drawn", over::segments}, {"tally", over::pixels}});
   }
   counted_ = run_and_read(steps);
 }
 
 void session::make_frame() {
+  const std::string maps = light_plan_.maps ? "_occupancy" : "";
   fill(frame_, views().front(), "reports", report_buffer, 0);
+  if (light_plan_.maps || camera_plan_.maps) fill(frame_, views().front(), "maps", cell_buffer, 0);
   for (const std::uint32_t v : views()) {
-    run(frame_, v, "opaque", blocks(v));
-    if (plan_.lists == 0) {
-      fill(frame_, v, "counts", count_buffer, 0);
-    } else {
-      fill(frame_, v, "links", link_buffer, 0xffffffffU);
-    }
-    if (plan_.slots && plan_.build.front() != "clear_slots_#") fill(frame_, v, "slots", slot_buffer, 0xffffffffU);
-    const std::string sink = v == camera() ? "camera" : "light";
-    for (const std::string& pattern : plan_.build) {
-      const bool by_pixel = pattern == "allocate" || pattern == "clear_slots_#";
-      const bool records = plan_.records && v == camera() && pattern == "scatter";
-      run(frame_, v, records ? "scatter_records" : kernel_name(pattern, sink, k_),
-          by_pixel ? blocks(v) : set_.fibres.segment_count());
-    }
-    if (v == camera()) {
-      run(frame_, v, "shade", set_.fibres.segment_count());
-      run(frame_, v, "background", blocks(v));
-    }
-    run(frame_, v, kernel_name(plan_.resolve, sink, k_), blocks(v), plan_.by_subgroup);
+    const plan& p = plan_for(v);
+    run(frame_, v, "opaque", over::pixels);
+    for (const plan::clearing& c : p.clear)
+      fill(frame_, v, c.what, c.binding, c.value);
+    run(frame_, v, p.build);
+    if (v == camera()) run(frame_, v, {{"shade" + maps, over::segments}, {"background" + maps, over::pixels}});
+    for (std::uint32_t layer = 0; layer < (p.layer.empty() ? 0 : counted_[v].longest); ++layer)
+      run(frame_, v, p.layer);
+    run(frame_, v, p.finish);
   }
 }
 
 }  // namespace
 
 device_frame draw_frame_on_device(const hair_model& model, const frame_settings& settings, std::uint32_t frames) {
-  check(settings);
-  (void)plan_of(settings.order);  // refuses
+  check_settings(settings);
   const stage set = set_up(model, settings);
   session on(set, settings);
   device_frame result{image(settings.width, settings.height), on.device_name(), {}, {}, 0, on.bytes(), 0, frames, 0};
-  std::vector<std::vector<double>> times(on.frame().size());
+  const std::vector<pass_of> passes = passes_of(on.frame());
+  std::vector<std::vector<double>> times(passes.size());
   std::vector<double> whole;
   for (std::uint32_t f = 0; f < frames / 10; ++f)
     (void)on.draw();
   for (std::uint32_t f = 0; f < frames; ++f) {
     const std::vector<double> milliseconds = on.draw();
-    double sum = 0;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      times[i].push_back(milliseconds[i]);
-      sum += milliseconds[i];
-    }
-    whole.push_back(sum);
+    for (std::size_t p = 0; p < passes.size(); ++p)
+      times[p].push_back(sum_of(milliseconds, passes[p].steps));
+    whole.push_back(std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0));
     on.read_picture(result.picture);
     const std::span<const glm::vec3> pixels = result.picture.pixels;
     const std::uint64_t hash = hash_of({&pixels.front().x, 3 * pixels.size()});
     if (f == 0) result.hash = hash;
     result.same += hash == result.hash ? 1 : 0;
   }
-  for (std::size_t i = 0; i < times.size(); ++i)
-    result.passes.push_back({on.frame()[i].view, on.frame()[i].pass, median(times[i])});
+  for (std::size_t p = 0; p < passes.size(); ++p)
+    result.passes.push_back({passes[p].view, passes[p].name, median(times[p])});
   result.milliseconds = median(whole);
   result.views = on.read_fragments();
   return result;

@@ -8,7 +8,7 @@
 #include "pelage/glsl/composite/tail.glsl"
 #include "raster.glsl"
 
-ivec2 sink_at;
+uint sink_at;
 float sink_nearest_solid;
 pelage_pixel_radiance sink_pixel;
 pelage_tail sink_behind;
@@ -23,6 +23,10 @@ struct seen_fibre {
   float coverage;
 };
 
+uint first_sample() {
+  return (samples + 1u) * sink_at;
+}
+
 /// The share of the pixel's opaque samples that lie behind a depth.
 float share_in_front(float depth) {
   if (!scene.antialias || depth < sink_nearest_solid) {
@@ -30,7 +34,7 @@ float share_in_front(float depth) {
   }
   uint behind = 0u;
   for (uint i = 0u; i < samples; ++i) {
-    behind += depth < sample_depths[samples * index_of(sink_at) + i] ? 1u : 0u;
+    behind += depth < sample_depths[first_sample() + i] ? 1u : 0u;
   }
   return float(behind) / float(samples);
 }
@@ -48,17 +52,18 @@ seen_fibre see(uint i, touch where) {
 
 /// And where it has to be found again.
 seen_fibre see(pelage_fragment f) {
-  return see(f.id, touch_of(place(f.id), sink_at));
+  const ivec2 at = ivec2(sink_at % uint(VIEW.size.x), sink_at / uint(VIEW.size.x));
+  return see(f.id, touch_of(place(f.id), at));
+}
+
+/// What see() sees from then on.
+void sink_go_to(uint pixel) {
+  sink_at = pixel;
+  sink_nearest_solid = scene.antialias ? sample_depths[first_sample() + samples] : uintBitsToFloat(0x7f800000u);
 }
 
 void sink_begin(ivec2 at, bool whole) {
-  sink_at = at;
-  sink_nearest_solid = uintBitsToFloat(0x7f800000u);
-  if (scene.antialias) {
-    for (uint i = 0u; i < samples; ++i) {
-      sink_nearest_solid = min(sink_nearest_solid, sample_depths[samples * index_of(at) + i]);
-    }
-  }
+  sink_go_to(index_of(at));
   sink_pixel = pelage_empty_pixel();
   sink_behind = pelage_empty_tail();
 }

@@ -4,6 +4,7 @@
 // there is one for each lane, all lanes compute coverage at once, each of whichever segment. The including shader says
 // what becomes of a fragment of the segment that begins at point i:
 //   void visit(uint i, uint pixel, touch where)
+// and, where that is known by an earlier pass (SEEN_BEFORE), does not ask which segments the camera sees.
 #ifndef PELAGE_FRAME_DRAW_GLSL
 #define PELAGE_FRAME_DRAW_GLSL
 #extension GL_KHR_shader_subgroup_basic : require
@@ -90,6 +91,7 @@ void draw_segments() {
     }
   }
   draw_queued(first + min(gl_SubgroupInvocationID, max(queued, 1u) - 1u), gl_SubgroupInvocationID < queued);
+#ifndef SEEN_BEFORE
   if (is_camera()) {
     subgroupMemoryBarrierShared();
     subgroupBarrier();
@@ -97,6 +99,7 @@ void draw_segments() {
       seen[own_point] = has_fragment[mine];
     }
   }
+#endif
 }
 
 #endif

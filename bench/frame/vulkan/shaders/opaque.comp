@@ -12,13 +12,18 @@ void main() {
     return;
   }
   const uint side = is_camera() && scene.antialias ? 3u : 1u;
+  float nearest = uintBitsToFloat(0x7f800000u);
   float farthest = 0.0;
   for (uint i = 0u; i < side * side; ++i) {
     const float depth = opaque_depth(sample_position(at, i, side));
+    nearest = min(nearest, depth);
     farthest = max(farthest, depth);
     if (side == 3u) {
-      sample_depths[9u * index_of(at) + i] = depth;
+      sample_depths[10u * index_of(at) + i] = depth;
     }
+  }
+  if (side == 3u) {
+    sample_depths[10u * index_of(at) + 9u] = nearest;
   }
   limits[VIEW.first_pixel + index_of(at)] = farthest;
 }

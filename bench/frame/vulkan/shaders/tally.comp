@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// Adds up what a view's runs hold, for the report; not part of a frame. In: runs, counts. Out: reports.
+// Adds up a view's fragments, for the report; not part of a frame. In: counts. Out: reports.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "scene.glsl"
@@ -8,8 +8,7 @@
 void main() {
   const ivec2 at = pixel_of(invocation());
   if (is_inside(at)) {
-    const uint held = min(counts[index_of(at)], runs[index_of(at)].y) - runs[index_of(at)].x;
-    atomicAdd(reports[push.view].fragments, held);
-    atomicMax(reports[push.view].longest, held);
+    atomicAdd(reports[push.view].fragments, counts[index_of(at)]);
+    atomicMax(reports[push.view].longest, counts[index_of(at)]);
   }
 }

@@ -8,6 +8,13 @@
 #define PELAGE_FRAME_WALK_GLSL
 #include "raster.glsl"
 
+#ifdef PASSES_OVER
+/// The including shader's choice: true if no fragment between two depths of a pixel matters.
+bool passes_over(uint pixel, float least_depth, float most_depth);
+#else
+#define passes_over(pixel, least_depth, most_depth) false
+#endif
+
 /// A line on the screen that divides the pixels between two segments: those past it along the strand are the next's.
 struct joint_line {
   vec2 strand;
@@ -33,6 +40,7 @@ struct pixel_walk {
   float slope;
   float half_height;  ///< of a column
   float least_depth;  ///< no fragment is nearer
+  float most_depth;   ///< nor farther
   int column;
   int last;
   int row;
@@ -80,13 +88,15 @@ pixel_walk walk_of(uint word, placed_segment s) {
   w.half_height = is_point ? reach : reach / cosine;
   // No ray is nearer to the axis than the nearest end by more than fibre and disc are wide.
   w.least_depth = near_depth - 2.0 * (widest + pelage_radius_at(cone_of(push.view), near_depth));
+  const float far_depth = max(-s.start.z, -s.end.z);
+  w.most_depth = far_depth + 2.0 * (widest + pelage_radius_at(cone_of(push.view), far_depth));
   const float start_past = reach * past_joint(axis, start_strand, sine, cosine);
   const float end_past = reach * past_joint(axis, end_strand, sine, cosine);
   const float left = w.origin.x + min(way.x, 0.0) - (way.x < 0.0 ? end_past : start_past);
   const float right = w.origin.x + max(way.x, 0.0) + (way.x < 0.0 ? start_past : end_past);
   w.column = int(ceil(clamp(left - 0.5, 0.0, size))) - 1;
   w.last = int(floor(clamp(right - 0.5, -1.0, size - 1.0)));
-  w.last = max(-s.start.z, -s.end.z) < VIEW.near_plane ? -1 : w.last;
+  w.last = far_depth < VIEW.near_plane ? -1 : w.last;
   w.row = 0;
   w.last_row = -1;
   return w;
@@ -109,7 +119,8 @@ bool next_pixel(inout pixel_walk w, out ivec2 at) {
       ++w.row;
       const vec2 centre = vec2(at) + 0.5;
       if ((is_past(w.start, centre) && !is_past(w.end, centre)) || w.end_on) {
-        if (!(w.least_depth >= limits[VIEW.first_pixel + index_of(at)])) {
+        const uint pixel = index_of(at);
+        if (!(w.least_depth >= limits[VIEW.first_pixel + pixel]) && !passes_over(pixel, w.least_depth, w.most_depth)) {
           return true;
         }
       }

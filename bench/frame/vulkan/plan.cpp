@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/vulkan/plan.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "frame/vulkan/buffers.hpp"
+
+namespace pelage::frame::vulkan {
+namespace {
+
+constexpr std::uint32_t any_k[]{4, 8, 16, 32, 64};  ///< that resolving kernels are compiled for
+
+/// By --order and --k.
+plan plan_by_order(const frame_settings& s, bool camera) {
+  const std::string sink = camera ? "camera" : "light";
+  const std::string k = std::to_string(s.k);
+  const plan::clearing counts{"counts", count_buffer, 0};
+  const plan::clearing links{"links", link_buffer, 0xffffffffU};
+  const std::vector<plan::pass> runs{
+      {"count", over::segments}, {"allocate", over::pixels}, {"scatter", over::segments}};
+  const std::vector<plan::pass> records{
+      {"count", over::segments}, {"allocate", over::pixels}, {"scatter_records", over::segments}};
+  plan p{};
+  p.pool = true;
+  switch (s.order) {
+    case order_method::k_buffer:
+      p.clear = {counts};
+      p.build = camera ? records : runs;
+      p.finish = {{"select_" + sink + "_" + k, over::subgroups}};
+      p.records = camera;
+      return p;
+    case order_method::a_buffer:
+      p.clear = {links};
+      p.build = {{"push", over::segments}};
+      p.finish = {{"resolve_lists_" + sink + "_" + k, over::pixels}};
+      p.lists = 1;
+      return p;
+    case order_method::ordered_list:
+      p.clear = {links};
+      p.build = {{"insert_ordered", over::segments}};
+      p.finish = {{"resolve_ordered_" + sink, over::pixels}};
+      p.lists = 2;
+      return p;
+    case order_method::atomic_k_buffer:
+      p.clear = {links};
+      p.build = {{"clear_slots_" + k, over::pixels}, {"insert_atomic_" + k, over::segments}};
+      p.finish = {{"resolve_slots_" + sink + "_" + k, over::pixels}};
+      p.lists = 1;
+      p.slots = s.k;
+      return p;
+    case order_method::two_pass_k_buffer:
+      p.clear = {links, {"slots", slot_buffer, 0xffffffffU}};
+      p.build = {{"offer_depths_" + k, over::segments}, {"insert_ids_" + k, over::segments}};
+      p.finish = {{"resolve_split_" + sink + "_" + k, over::pixels}};
+      p.lists = 1;
+      p.slots = s.k;
+      return p;
+    case order_method::selection_sort:
+      p.clear = {counts};
+      p.build = runs;
+      p.finish = {{"resolve_sorted_" + sink, over::pixels}};
+      p.whole = true;
+      return p;
+    case order_method::full_sort:
+      break;
+  }
+  throw std::runtime_error("--device vulkan: there is no --order full_sort; selection_sort gives its picture");
+}
+
+/// A light's map that keeps no fragment: which slices of its depth range hold any, and slabs' sums.
+plan plan_by_occupancy() {
+  plan p{};
+  p.build = {{"extend_range", over::segments}, {"occupy_light", over::segments}};
+  p.maps = true;
+  return p;
+}
+
+/// All fragments drawn three times: for the depth range, for the map of it, and to be blended.
+plan plan_by_weight() {
+  plan p{};
+  p.clear = {{"sums", blended_buffer, 0}};
+  p.build = {{"extend_range", over::segments}};
+  p.finish = {
+      {"occupy_camera", over::segments}, {"blend_weighted", over::segments}, {"resolve_weighted", over::pixels}};
+  p.maps = true;
+  p.blended = 4;
+  return p;
+}
+
+/// All fragments drawn for each layer. Every point is lit: no pass before has said what the camera sees.
+plan plan_by_peeling() {
+  plan p{};
+  p.clear = {{"seen", seen_buffer, 1}};
+  p.build = {{"clear_layers", over::pixels}};
+  p.layer = {{"peel", over::segments}, {"take_layer", over::pixels}};
+  p.finish = {{"resolve_layers", over::pixels}};
+  p.slots = 2;
+  p.blended = 4;
+  return p;
+}
+
+}  // namespace
+
+plan plan_of(const frame_settings& s, bool camera) {
+  if (!camera) return s.shadow.method == shadow_method::occupancy ? plan_by_occupancy() : plan_by_order(s, false);
+  if (s.blend.method == blend_method::order_weighted) return plan_by_weight();
+  if (s.blend.method == blend_method::depth_peeling) return plan_by_peeling();
+  return plan_by_order(s, true);
+}
+
+void check_settings(const frame_settings& s) {
+  if (s.look.model != bsdf_model::kajiya_kay || s.look.pigment) {
+    throw std::runtime_error("--device vulkan: fibres are lit by --bsdf kajiya_kay in their own colours");
+  }
+  if (s.shadow.method != shadow_method::k_buffer && s.shadow.method != shadow_method::occupancy) {
+    throw std::runtime_error("--device vulkan: maps are made by --shadow k_buffer or occupancy");
+  }
+  if (s.blend.method != blend_method::k_buffer && s.blend.method != blend_method::order_weighted &&
+      s.blend.method != blend_method::depth_peeling) {
+    throw std::runtime_error("--device vulkan: pixels are made by --blend k_buffer, order_weighted or depth_peeling");
+  }
+  if (std::find(std::begin(any_k), std::end(any_k), s.k) == std::end(any_k)) {
+    throw std::runtime_error("--device vulkan: --k must be 4, 8, 16, 32 or 64");
+  }
+  for (const bool camera : {false, true})
+    (void)plan_of(s, camera);
+}
+
+bool needs_64_bit_atomics(const frame_settings& s) {
+  const bool by_order = s.shadow.method == shadow_method::k_buffer || s.blend.method == blend_method::k_buffer;
+  return s.blend.method == blend_method::depth_peeling || (by_order && s.order == order_method::atomic_k_buffer);
+}
+
+}  // namespace pelage::frame::vulkan

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "frame/frame.hpp"
+
+namespace pelage::frame::vulkan {
+
+/// What the invocations of a pass are counted by.
+enum class over { segments, pixels, subgroups };
+
+/// How the fragments of a view become a map or a picture: which kernels run, and what memory they ask for.
+struct plan {
+  struct clearing {
+    std::string what;  ///< under which its time is reported
+    std::uint32_t binding;
+    std::uint32_t value;
+  };
+  struct pass {
+    std::string kernel;
+    over what;
+  };
+  std::vector<clearing> clear;
+  std::vector<pass> build;   ///< puts fragments into the structure, before the camera's fibres are lit
+  std::vector<pass> layer;   ///< then, as many times as the deepest pixel has fragments
+  std::vector<pass> finish;  ///< last: takes them out
+  bool pool;                 ///< the structure holds each fragment
+  bool records;              ///< in runs of records
+  bool whole;                ///< a light's texels keep all of theirs
+  std::uint32_t lists;       ///< a pixel; 0: the pool is cut into runs
+  std::uint32_t slots;       ///< of 8 bytes a pixel
+  bool maps;                 ///< a pixel has an occupancy map
+  std::uint32_t blended;     ///< words that a pixel is blended in
+};
+
+/// The plan of the camera or of the lights.
+/// Throws std::runtime_error, one line, for what the shaders do not have.
+[[nodiscard]] plan plan_of(const frame_settings& settings, bool camera);
+
+/// Refuses before any work what no shader has, in the same way.
+void check_settings(const frame_settings& settings);
+
+/// True if the frame needs 64-bit atomics.
+[[nodiscard]] bool needs_64_bit_atomics(const frame_settings& settings);
+
+}  // namespace pelage::frame::vulkan

@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// Adds each fragment to its pixel's sums, weighted by what the pixel's occupancy map has before it. [Sintorn &
+// Assarsson 2009, §3.4] In: points, limits, shaded, cells. Out: sums. One invocation a segment; bounded by coverage's
+// arithmetic and by four adds a fragment.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define SEEN_BEFORE
+#include "draw.glsl"
+#include "camera_sink.glsl"
+#include "pelage/glsl/composite/order_weighted.glsl"
+#include "sums.glsl"
+
+void visit(uint i, uint pixel, touch where) {
+  go_to_texel(VIEW.first_pixel + pixel);
+  sink_go_to(pixel);
+  const seen_fibre fibre = see(i, where);
+  const float alpha = fibre.opacity * fibre.coverage;
+  const float before = pelage_occupancy_map_amount_before(load_occupancy(), camera_position(where.depth));
+  const float weight = pelage_optical_weight(alpha, before);
+  const pelage_tail one = pelage_add_weighted(pelage_empty_tail(), alpha, weight, fibre.radiance);
+  add_to_sums(pixel, uvec4(one.weight, one.red, one.green, one.blue));
+}
+
+void main() {
+  draw_segments();
+}

@@ -1,0 +1,18 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// The depth range of each pixel's fragments. In: points, limits. Out: cells, seen. One invocation a segment; bounded by
+// coverage's arithmetic.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define READS_WHILE_OTHERS_WRITE
+#include "draw.glsl"
+#include "occupancy.glsl"
+
+void visit(uint i, uint pixel, touch where) {
+  go_to_texel(VIEW.first_pixel + pixel);
+  extend_range(where.depth);
+}
+
+void main() {
+  draw_segments();
+}

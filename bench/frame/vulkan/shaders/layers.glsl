@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// What depth peeling keeps of a pixel: the layer that was taken last, the nearest fragment behind it so far, and what
+// is seen of the layers up to the last. 32 bytes.
+#ifndef PELAGE_FRAME_LAYERS_GLSL
+#define PELAGE_FRAME_LAYERS_GLSL
+#include "scene.glsl"
+
+layout(std430, binding = 19) LIVE buffer slot_buffer { uint64_t slots[]; };  ///< two a pixel: last, nearest
+#define PELAGE_ATOMIC_SLOT_STORAGE_SLOTS(i) slots[i]
+#include "pelage/glsl/order/slot_storage.glsl"
+
+layout(std430, binding = 21) buffer front_buffer { vec4 fronts[]; };  ///< radiance and transmittance
+
+uint last_slot(uint pixel) {
+  return 2u * pixel;
+}
+
+uint nearest_slot(uint pixel) {
+  return 2u * pixel + 1u;
+}
+
+#endif

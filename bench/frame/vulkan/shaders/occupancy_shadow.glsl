@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// What a light's occupancy maps let through, as bench/frame/shadows/occupancy_shadow.hpp has it.
+#ifndef PELAGE_FRAME_OCCUPANCY_SHADOW_GLSL
+#define PELAGE_FRAME_OCCUPANCY_SHADOW_GLSL
+#include "occupancy.glsl"
+#include "pelage/glsl/core/math.glsl"
+
+float transmittance_at(uint texel, float depth) {
+  if (depth > limits[texel]) {
+    return 0.0;
+  }
+  go_to_texel(texel);
+  return pelage_fast_exp2(-pelage_occupancy_map_amount_before(load_occupancy(), light_position(depth)) / 1048576.0);
+}
+
+/// Of a square of four texels, by rows.
+vec4 transmittance_in(uint pixel, uint below, float depth) {
+  return vec4(transmittance_at(pixel, depth), transmittance_at(pixel + 1u, depth), transmittance_at(below, depth),
+              transmittance_at(below + 1u, depth));
+}
+
+#endif

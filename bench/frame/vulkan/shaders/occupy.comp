@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// Each fragment's slice and its optical depth to its pixel's occupancy map. In: points, limits, shaded, the ranges in
+// cells. Out: cells. One invocation a segment; bounded by coverage's arithmetic and an add a fragment.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#define SEEN_BEFORE
+#include "draw.glsl"
+#include "occupancy.glsl"
+#ifdef FOR_CAMERA
+#include "camera_sink.glsl"
+#endif
+
+void visit(uint i, uint pixel, touch where) {
+  go_to_texel(VIEW.first_pixel + pixel);
+#ifdef FOR_CAMERA
+  sink_go_to(pixel);
+  const seen_fibre fibre = see(i, where);
+  occupy(camera_position(where.depth), pelage_optical_depth(fibre.opacity * fibre.coverage));
+#else
+  occupy(light_position(where.depth), fragment_of(i, where).id);
+#endif
+}
+
+void main() {
+  draw_segments();
+}

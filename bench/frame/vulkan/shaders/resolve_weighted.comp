@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// The picture from the weighted sums. In: sums, cells, picture. Out: picture. One invocation a pixel; bounded by some
+// 80 bytes a pixel.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "sums.glsl"
+
+void main() {
+  const ivec2 at = pixel_of(invocation());
+  if (!is_inside(at)) {
+    return;
+  }
+  go_to_texel(VIEW.first_pixel + index_of(at));
+  const uint p = 3u * index_of(at);
+  const vec3 background = vec3(picture[p], picture[p + 1u], picture[p + 2u]);
+  const vec3 colour = pelage_resolve(load_sums(index_of(at)), background);
+  picture[p] = colour.r;
+  picture[p + 1u] = colour.g;
+  picture[p + 2u] = colour.b;
+}
