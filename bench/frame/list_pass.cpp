@@ -23,18 +23,16 @@ class tile_lists {
     const std::size_t width = static_cast<std::size_t>(from.from().width);
     pixel_.clear();
     arrived_.clear();
-    for (const std::uint32_t segment : segments) {
-      from.for_each(segment, rect, [&](int x, int y, const touch& t) {
-        const std::size_t in_picture = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-        if (!limit.empty() && t.depth >= limit[in_picture]) return;
-        if (!is_fragment({t.depth, segment})) {
-          ++report.refused;
-          return;
-        }
-        pixel_.push_back(static_cast<std::uint32_t>((y - rect.y0) * tiles::side + (x - rect.x0)));
-        arrived_.push_back({segment, t});
-      });
-    }
+    from.for_each(segments, rect, [&](std::uint32_t segment, int x, int y, const touch& t) {
+      const std::size_t in_picture = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+      if (!limit.empty() && t.depth >= limit[in_picture]) return;
+      if (!is_fragment({t.depth, segment})) {
+        ++report.refused;
+        return;
+      }
+      pixel_.push_back(static_cast<std::uint32_t>((y - rect.y0) * tiles::side + (x - rect.x0)));
+      arrived_.push_back({segment, t});
+    });
     grouped_.resize(arrived_.size());
     group_by_pixel(std::span<const std::uint32_t>(pixel_), arrived_, grouped_, std::span(end_));
     report.fragments += arrived_.size();

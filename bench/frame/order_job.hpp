@@ -5,8 +5,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -45,11 +47,11 @@ struct order_job {
   }
   [[nodiscard]] std::size_t pixels() const { return pixel(0, from.from().height); }
 
-  /// Calls `visit(x, y, touch)` for a segment's fragments in `clip` that nothing opaque hides.
+  /// Calls `visit(segment, x, y, touch)` for the segments' fragments in `clip` that nothing opaque hides.
   template <class Visit>
-  void for_each_visible(std::uint32_t segment, const pixel_rect& clip, Visit&& visit) const {
-    from.for_each(segment, clip, [&](int x, int y, const touch& t) {
-      if (limit.empty() || !(t.depth >= limit[pixel(x, y)])) visit(x, y, t);
+  void for_each_visible(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const {
+    from.for_each(segments, clip, [&](std::uint32_t segment, int x, int y, const touch& t) {
+      if (limit.empty() || !(t.depth >= limit[pixel(x, y)])) visit(segment, x, y, t);
     });
   }
 
@@ -59,12 +61,14 @@ struct order_job {
     const tbb::blocked_range<std::uint32_t> all(0, from.fibres().segment_count(), 4096);
     const pixel_rect whole{0, 0, from.from().width, from.from().height};
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::uint32_t>& some) {
-      for (std::uint32_t i = some.begin(); i < some.end(); ++i) {
-        const std::uint32_t segment = drawing_order.empty() ? i : drawing_order[i];
-        for_each_visible(segment, whole, [&](int x, int y, const touch& t) {
-          visit(x, y, fragment{t.depth, segment});
-        });
+      std::vector<std::uint32_t> segments(some.size());
+      std::iota(segments.begin(), segments.end(), some.begin());
+      if (!drawing_order.empty()) {
+        std::copy_n(drawing_order.begin() + some.begin(), some.size(), segments.begin());
       }
+      for_each_visible(segments, whole, [&](std::uint32_t segment, int x, int y, const touch& t) {
+        visit(x, y, fragment{t.depth, segment});
+      });
     });
   }
 

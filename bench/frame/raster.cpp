@@ -10,80 +10,63 @@
 #include <limits>
 
 namespace pelage::frame {
-namespace {
-
-/// Pixel coordinates up to which rounding stays below `rounding` pixels; a view's sides are half of it.
-constexpr float farthest = 32768.0F;
-constexpr float rounding = 0.1F;
-
-/// What `half` is where a row's pixels are limited by the box alone.
-constexpr float anywhere = 4.0F * farthest;
-
-/// The greatest factor from the gap between a ray and a point of a fibre, in pixels at the point's depth, to their
-/// distance on the screen. The gap stands at right angles to the ray, not to the view; and a pixel's disc is measured
-/// at the ray's depth, which is greater than the point's by the gap at most.
 float screen_stretch(const view& from) {
   if (!from.perspective) return 1.0F;
   const float steepest = glm::length(glm::vec3(from.ray({0.0F, 0.0F}).direction));
   return from.cone.slope < 1.0F ? steepest / (1.0F - from.cone.slope) : std::numeric_limits<float>::infinity();
 }
 
-}  // namespace
-
 raster::raster(const strands& fibres, const view& from, bool antialias)
     : fibres_(fibres), view_(from), antialias_(antialias), stretch_(screen_stretch(from)), point_(fibres.point.size()) {
   const std::size_t count = point_.size();
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const glm::vec3 position = view_.to_view(fibres_.point[i]);
-    point_[i] = {position, fibres_.radius[i], view_.to_pixel(position), glm::vec2(0.0F)};
+    const glm::vec2 pixel = view_.to_pixel(position);
+    point_[i] = {position.x, position.y, position.z, fibres_.radius[i], pixel.x, pixel.y, 0.0F, 0.0F};
   });
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const bool has_before = (fibres_.end_of[i] & strands::first) == 0;
     const bool has_after = (fibres_.end_of[i] & strands::last) == 0;
-    point_[i].joint = point_[has_after ? i + 1 : i].pixel - point_[has_before ? i - 1 : i].pixel;
+    const glm::vec2 joint = pixel_of(point_[has_after ? i + 1 : i]) - pixel_of(point_[has_before ? i - 1 : i]);
+    point_[i].joint_x = joint.x;
+    point_[i].joint_y = joint.y;
   });
 }
 
-raster::outline raster::outline_of(std::uint32_t segment) const {
+pixel_rect raster::bounds(std::uint32_t segment) const {
   const std::uint32_t i = fibres_.segment[segment];
-  const glm::vec2& a = point_[i].pixel;
-  const glm::vec2& b = point_[i + 1].pixel;
-  const float nearest = -std::max(point_[i].position.z, point_[i + 1].position.z);
-  const float radius = std::max(point_[i].radius, point_[i + 1].radius);
-  const float pixels = radius * view_.scale / (view_.perspective ? nearest : 1.0F);
-  const float reach = stretch_ * (pixels + 0.5F) + rounding;
-  const bool on_screen =
-      std::abs(a.x) < farthest && std::abs(a.y) < farthest && std::abs(b.x) < farthest && std::abs(b.y) < farthest;
-  if (!(nearest >= view_.near_plane && reach < farthest && on_screen)) return wide_outline_of(segment);
-  const pixel_rect box = centres_in(glm::min(a, b) - reach, glm::max(a, b) + reach);
-  const glm::vec2 span = b - a;
-  if (std::abs(span.x) >= 64.0F * std::abs(span.y)) return {box, a.x, a.y, 0.0F, anywhere};
-  const float slope = span.x / span.y;
-  return {box, a.x, a.y, slope, reach * std::sqrt(1.0F + slope * slope)};
+  const outline<float> near = outline_of(point_[i], point_[i + 1], view_, stretch_);
+  const outline<float> found = near.fails > 0.0F ? wide_outline_of(segment) : near;
+  return {static_cast<int>(found.x0), static_cast<int>(found.y0), static_cast<int>(found.x1),
+          static_cast<int>(found.y1)};
 }
 
-raster::outline raster::wide_outline_of(std::uint32_t segment) const {
+outline<float> raster::wide_outline_of(std::uint32_t segment) const {
   constexpr float margin = 0.75F;  // a disc reaches half a pixel beyond the fibre; the rest is for rounding
   const std::uint32_t i = fibres_.segment[segment];
   const float radius = std::max(point_[i].radius, point_[i + 1].radius);
   const segment_quad<float> quad =
-      expand_segment(point_[i].position, point_[i + 1].position, radius, view_.cone, view_.near_plane, margin);
-  if (!quad.visible) return {{0, 0, 0, 0}, 0.0F, 0.0F, 0.0F, anywhere};
+      expand_segment(position_of(point_[i]), position_of(point_[i + 1]), radius, view_.cone, view_.near_plane, margin);
+  if (!quad.visible) return {0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, any_distance, 0.0F};
+  const glm::vec2 size(static_cast<float>(view_.width), static_cast<float>(view_.height));
   glm::vec2 lower(std::numeric_limits<float>::infinity());
   glm::vec2 upper = -lower;
   for (const glm::vec3& corner : quad.corner) {
     if (view_.perspective && !(-corner.z >= view_.near_plane)) {
-      return {{0, 0, view_.width, view_.height}, 0.0F, 0.0F, 0.0F, anywhere};
+      return {0.0F, 0.0F, size.x, size.y, 0.0F, 0.0F, 0.0F, any_distance, 0.0F};
     }
     lower = glm::min(lower, view_.to_pixel(corner));
     upper = glm::max(upper, view_.to_pixel(corner));
   }
-  return {centres_in(lower, upper), 0.0F, 0.0F, 0.0F, anywhere};
-}
-
-pixel_rect raster::centres_in(const glm::vec2& lower, const glm::vec2& upper) const {
-  return {first_centre_from(lower.x, 0, view_.width), first_centre_from(lower.y, 0, view_.height),
-          first_centre_from(upper.x, 0, view_.width), first_centre_from(upper.y, 0, view_.height)};
+  return {first_centre_from(lower.x, 0.0F, size.x),
+          first_centre_from(lower.y, 0.0F, size.y),
+          first_centre_from(upper.x, 0.0F, size.x),
+          first_centre_from(upper.y, 0.0F, size.y),
+          0.0F,
+          0.0F,
+          0.0F,
+          any_distance,
+          0.0F};
 }
 
 }  // namespace pelage::frame

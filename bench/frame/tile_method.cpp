@@ -30,17 +30,12 @@ class tile_worker {
     std::fill(count_.begin(), count_.end(), 0);
     std::fill(held_.begin(), held_.end(), 0);
     std::fill(behind_.begin(), behind_.end(), empty_tail());
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      constexpr std::size_t ahead = 8;
-      if (i + ahead < segments.size()) work.from.prefetch(segments[i + ahead]);
-      const std::uint32_t segment = segments[i];
-      work.for_each_visible(segment, rect, [&](int x, int y, const touch& t) {
-        const int p = (y - rect.y0) * tiles::side + (x - rect.x0);
-        pixel_of_[arrived_count_] = static_cast<std::uint16_t>(p);
-        arrived_[arrived_count_] = seen_fragment{segment, t};
-        if (++arrived_count_ == capacity) flush(work, rect);
-      });
-    }
+    work.for_each_visible(segments, rect, [&](std::uint32_t segment, int x, int y, const touch& t) {
+      const int p = (y - rect.y0) * tiles::side + (x - rect.x0);
+      pixel_of_[arrived_count_] = static_cast<std::uint16_t>(p);
+      arrived_[arrived_count_] = seen_fragment{segment, t};
+      if (++arrived_count_ == capacity) flush(work, rect);
+    });
     flush(work, rect);
     for (int y = rect.y0; y < rect.y1; ++y) {
       for (int x = rect.x0; x < rect.x1; ++x)

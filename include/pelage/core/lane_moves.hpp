@@ -1,0 +1,128 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/core/lanes.hpp>
+
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+namespace pelage {
+
+/// Moves between the lanes of vectors, on the CPU alone. No bit of a float changes, NaN included.
+
+/// Lane k of the result is lane `from[k] & (W - 1)` of x.
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W> picked(lanes<W> x, typename lanes<W>::integers from) noexcept;
+template <int W>
+[[nodiscard, gnu::always_inline]] inline typename lanes<W>::integers picked_integers(
+    typename lanes<W>::integers x, typename lanes<W>::integers from) noexcept;
+
+/// The lanes whose bit is set, moved to the front in their order; 0 behind them.
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W> packed_left(std::uint32_t set, lanes<W> x) noexcept;
+
+/// a[0], b[0], a[1], b[1], … : the first W of them, and the rest.
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W> zip_low(lanes<W> a, lanes<W> b) noexcept;
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W> zip_high(lanes<W> a, lanes<W> b) noexcept;
+
+/// Lane k of row i goes to lane i of row k.
+template <int W>
+[[gnu::always_inline]] inline void transpose(lanes<W> (&rows)[W]) noexcept;
+
+/// Writes a[0], b[0], c[0], d[0], a[1], … : 4 W floats.
+template <int W>
+[[gnu::always_inline]] inline void store_quads(lanes<W> a, lanes<W> b, lanes<W> c, lanes<W> d, float* to) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+template <int W, int First, int... I>
+[[gnu::always_inline]] inline lanes<W> zip(lanes<W> a, lanes<W> b, std::integer_sequence<int, I...>) noexcept {
+  return lanes<W>(__builtin_shufflevector(a.lane, b.lane, (First + I / 2 + I % 2 * W)...));
+}
+
+}  // namespace detail
+
+template <int W>
+lanes<W> picked(lanes<W> x, typename lanes<W>::integers from) noexcept {
+#if defined(__AVX512F__)
+  if constexpr (W == 16) {
+    return lanes<W>(typename lanes<W>::vector(_mm512_maskz_permutexvar_ps(0xffff, __m512i(from), __m512(x.lane))));
+  }
+#endif
+#if defined(__AVX2__)
+  if constexpr (W == 8) {
+    return lanes<W>(typename lanes<W>::vector(_mm256_permutevar8x32_ps(__m256(x.lane), __m256i(from))));
+  }
+#endif
+  lanes<W> result;
+  for (int k = 0; k < W; ++k) {
+    result.lane[k] = x.lane[from[k] & (W - 1)];
+  }
+  return result;
+}
+
+template <int W>
+typename lanes<W>::integers picked_integers(typename lanes<W>::integers x, typename lanes<W>::integers from) noexcept {
+  const lanes<W> same_bits(reinterpret_cast<typename lanes<W>::vector>(x));
+  return reinterpret_cast<typename lanes<W>::integers>(picked(same_bits, from).lane);
+}
+
+template <int W>
+lanes<W> packed_left(std::uint32_t set, lanes<W> x) noexcept {
+#if defined(__AVX512F__)
+  if constexpr (W == 16) {
+    return lanes<W>(typename lanes<W>::vector(_mm512_maskz_compress_ps(static_cast<__mmask16>(set), __m512(x.lane))));
+  }
+#endif
+  lanes<W> result(0.0f);
+  for (int k = 0; set != 0u; ++k, set &= set - 1u) {
+    result.lane[k] = x.lane[std::countr_zero(set)];
+  }
+  return result;
+}
+
+template <int W>
+lanes<W> zip_low(lanes<W> a, lanes<W> b) noexcept {
+  return detail::zip<W, 0>(a, b, std::make_integer_sequence<int, W>());
+}
+
+template <int W>
+lanes<W> zip_high(lanes<W> a, lanes<W> b) noexcept {
+  return detail::zip<W, W / 2>(a, b, std::make_integer_sequence<int, W>());
+}
+
+template <int W>
+void transpose(lanes<W> (&rows)[W]) noexcept {
+#pragma GCC unroll 4
+  for (int stage = 1; stage < W; stage *= 2) {
+    lanes<W> next[W];
+#pragma GCC unroll 8
+    for (int i = 0; i < W / 2; ++i) {
+      next[2 * i] = zip_low(rows[i], rows[i + W / 2]);
+      next[2 * i + 1] = zip_high(rows[i], rows[i + W / 2]);
+    }
+#pragma GCC unroll 16
+    for (int i = 0; i < W; ++i) {
+      rows[i] = next[i];
+    }
+  }
+}
+
+template <int W>
+void store_quads(lanes<W> a, lanes<W> b, lanes<W> c, lanes<W> d, float* to) noexcept {
+  const lanes<W> ac_low = zip_low(a, c);
+  const lanes<W> ac_high = zip_high(a, c);
+  const lanes<W> bd_low = zip_low(b, d);
+  const lanes<W> bd_high = zip_high(b, d);
+  zip_low(ac_low, bd_low).store(to);
+  zip_high(ac_low, bd_low).store(to + W);
+  zip_low(ac_high, bd_high).store(to + 2 * W);
+  zip_high(ac_high, bd_high).store(to + 3 * W);
+}
+
+}  // namespace pelage
