@@ -48,6 +48,37 @@ def methods_table(program):
     return all_reports
 
 
+def blending(report):
+    """Milliseconds of the camera's passes that bring fragments in order and together."""
+    others = ("opaque", "shade", "background", "clear reports", "clear maps")
+    passes = [p for p in report["passes"] if p["view"] == "camera"]
+    return sum(p["milliseconds"] for p in passes if not p["name"].startswith(others))
+
+
+def peeling_table(program, folder):
+    """Occupancy maps against depth peeling, and the error of each picture."""
+    truth = folder / "gpu_sorted.png"
+    all_reports = {"sorted": draw(program, HAIR + ["--order", "selection_sort"], 2, truth)}
+    print("\n50 000 strands, 640 x 640: milliseconds; the picture against that of sorted lists, RMS and largest difference")
+    print(f"{'--shadow':12}{'--blend':18}{'frame':>8}{'blending':>10}{'MB':>8}{'RMS':>10}{'largest':>10}   one hash")
+    for shadow in ["k_buffer", "occupancy"]:
+        for blend in ["k_buffer", "order_weighted", "depth_peeling"]:
+            options = ["--shadow", shadow, "--blend", blend, "--k", "16", "--compare", str(truth)]
+            frames = FRAMES if blend != "depth_peeling" else 10
+            r = draw(program, HAIR + options, frames)
+            all_reports[f"{shadow} {blend}"] = r
+            print(
+                f"{shadow:12}{blend:18}{r['milliseconds']:8.2f}{blending(r):10.2f}{r['device_bytes'] / 1e6:8.0f}"
+                f"{r['rms']:10.5f}{r['maximum']:10.3f}   {r['same_hash']} of {r['frames']}"
+            )
+    by_maps, by_layers = all_reports["occupancy order_weighted"], all_reports["occupancy depth_peeling"]
+    print(
+        f"depth_peeling / order_weighted: {by_layers['milliseconds'] / by_maps['milliseconds']:.1f} a frame, "
+        f"{blending(by_layers) / blending(by_maps):.1f} blending alone, {by_layers['views'][-1]['longest_list']} layers"
+    )
+    return all_reports
+
+
 def headline(program, picture):
     """The large model by passes, 100 frames."""
     report = draw(program, HEADLINE + ["--k", "16"], 100, picture)
@@ -72,7 +103,11 @@ def headline(program, picture):
 
 def main():
     program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    reports = {"methods": methods_table(program), "headline": headline(program, folder / "gpu.png")}
+    reports = {
+        "methods": methods_table(program),
+        "peeling": peeling_table(program, folder),
+        "headline": headline(program, folder / "gpu.png"),
+    }
     (folder / "gpu.json").write_text(json.dumps(reports, indent=2) + "\n")
 
 

@@ -16,7 +16,8 @@ void visit(uint i, uint pixel, touch where) {
   sink_go_to(pixel);
   const seen_fibre fibre = see(i, where);
   const float alpha = fibre.opacity * fibre.coverage;
-  const float before = pelage_occupancy_map_amount_before(load_occupancy(), camera_position(where.depth));
+  const occupancy o = load_occupancy();
+  const float before = pelage_occupancy_map_amount_before(o.map, camera_position(o.range, where.depth));
   const float weight = pelage_optical_weight(alpha, before);
   const pelage_tail one = pelage_add_weighted(pelage_empty_tail(), alpha, weight, fibre.radiance);
   add_to_sums(pixel, uvec4(one.weight, one.red, one.green, one.blue));

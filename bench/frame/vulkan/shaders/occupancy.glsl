@@ -1,12 +1,13 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// The occupancy map of a pixel of a view, as words that many invocations change at once: the depth range, a bit a
-// slice, a sum a slab, and a bit for each sum that went beyond 2³². All words of an empty one are 0.
+// The occupancy map of a pixel of a view, as words that many invocations change at once: a sum a slab, a bit a slice,
+// the depth range, and a bit for each sum that went beyond 2³². All words of an empty one are 0.
 #ifndef PELAGE_FRAME_OCCUPANCY_GLSL
 #define PELAGE_FRAME_OCCUPANCY_GLSL
 #include "scene.glsl"
 
 layout(std430, binding = 20) LIVE buffer cell_buffer { uint cells[]; };
+layout(std430, binding = 20) readonly buffer quad_buffer { uvec4 quads[]; };  ///< the same, to be read by fours
 
 uint first_cell;  ///< of the texel that the functions below are about
 #define PELAGE_ATOMIC_CELL_STORAGE_CELLS(i) cells[first_cell + (i)]
@@ -14,31 +15,26 @@ uint first_cell;  ///< of the texel that the functions below are about
 #include "pelage/glsl/visibility/occupancy_map.glsl"
 
 const uint texel_cells = 12u;
-const uint occupied_cell = 2u;  ///< after the range's
-const uint amount_cell = occupied_cell + pelage_occupancy_map_words;
-const uint passed_cell = amount_cell + PELAGE_OCCUPANCY_MAP_SLABS;
+const uint occupied_cell = 4u;  ///< after the slabs'
+const uint nearest_cell = 8u;   ///< complement of the key, so that both ends grow
+const uint farthest_cell = 9u;
+const uint passed_cell = 10u;
 
 /// `texel`: among those of all views.
 void go_to_texel(uint texel) {
   first_cell = texel_cells * texel;
 }
 
-/// Both ends grow, the nearest as its complement.
 void extend_range(float depth) {
   if (pelage_is_finite_depth(depth)) {
     const uint key = pelage_depth_key(depth);
-    if (cells[first_cell] < ~key) {
-      atomicMax(cells[first_cell], ~key);
+    if (cells[first_cell + nearest_cell] < ~key) {
+      atomicMax(cells[first_cell + nearest_cell], ~key);
     }
-    if (cells[first_cell + 1u] < key) {
-      atomicMax(cells[first_cell + 1u], key);
+    if (cells[first_cell + farthest_cell] < key) {
+      atomicMax(cells[first_cell + farthest_cell], key);
     }
   }
-}
-
-/// Where a depth lies in the range, [0, 1].
-float relative_depth(float depth) {
-  return pelage_depth_range_relative(pelage_depth_range(~cells[first_cell], cells[first_cell + 1u]), depth);
 }
 
 /// Puts a fragment in. Hardware adds modulo 2³²; whether a sum passed its end does not depend on the order of adding.
@@ -46,33 +42,45 @@ void occupy(float position, uint amount) {
   const uint slice = pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES);
   const uint slab = slice / pelage_occupancy_map_slab_slices;
   pelage_set_bits(occupied_cell + slice / 32u, 1u << (slice % 32u));
-  const uint held = atomicAdd(cells[first_cell + amount_cell + slab], amount);
+  const uint held = atomicAdd(cells[first_cell + slab], amount);
   if (held > 0xffffffffu - amount) {
     atomicOr(cells[first_cell + passed_cell], 1u << slab);
   }
 }
 
-pelage_occupancy_map load_occupancy() {
+/// A texel's map and range.
+struct occupancy {
   pelage_occupancy_map map;
-  for (uint i = 0u; i < pelage_occupancy_map_words; ++i) {
-    map.occupied[i] = cells[first_cell + occupied_cell + i];
+  pelage_depth_range range;
+};
+
+/// Of a map that is complete.
+occupancy load_occupancy() {
+  const uvec4 amount = quads[first_cell / 4u];
+  const uvec4 occupied = quads[first_cell / 4u + 1u];
+  const uvec4 rest = quads[first_cell / 4u + 2u];
+  occupancy o;
+  o.range = pelage_depth_range(~rest.x, rest.y);
+  for (uint i = 0u; i < 4u; ++i) {
+    o.map.occupied[i] = occupied[i];
+    o.map.amount[i] = (rest.z >> i & 1u) != 0u ? 0xffffffffu : amount[i];
   }
-  const uint passed = cells[first_cell + passed_cell];
-  for (uint i = 0u; i < PELAGE_OCCUPANCY_MAP_SLABS; ++i) {
-    map.amount[i] = (passed >> i & 1u) != 0u ? 0xffffffffu : cells[first_cell + amount_cell + i];
-  }
-  return map;
+  return o;
+}
+
+pelage_depth_range load_range() {
+  return pelage_depth_range(~cells[first_cell + nearest_cell], cells[first_cell + farthest_cell]);
 }
 
 /// Where a depth lies in a light's map.
-float light_position(float depth) {
-  return pelage_slice_position(relative_depth(depth), PELAGE_OCCUPANCY_MAP_SLICES);
+float light_position(pelage_depth_range range, float depth) {
+  return pelage_slice_position(pelage_depth_range_relative(range, depth), PELAGE_OCCUPANCY_MAP_SLICES);
 }
 
 /// And in the camera's: where its slice begins, so that a fragment does not lie before itself; the farthest alone lies
 /// in the last slice.
-float camera_position(float depth) {
-  return floor(pelage_slice_position(relative_depth(depth), PELAGE_OCCUPANCY_MAP_SLICES - 1u));
+float camera_position(pelage_depth_range range, float depth) {
+  return floor(pelage_slice_position(pelage_depth_range_relative(range, depth), PELAGE_OCCUPANCY_MAP_SLICES - 1u));
 }
 
 #endif

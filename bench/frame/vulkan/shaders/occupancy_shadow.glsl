@@ -11,7 +11,9 @@ float transmittance_at(uint texel, float depth) {
     return 0.0;
   }
   go_to_texel(texel);
-  return pelage_fast_exp2(-pelage_occupancy_map_amount_before(load_occupancy(), light_position(depth)) / 1048576.0);
+  const occupancy o = load_occupancy();
+  const float before = pelage_occupancy_map_amount_before(o.map, light_position(o.range, depth));
+  return pelage_fast_exp2(-before * (1.0 / 1048576.0));
 }
 
 /// Of a square of four texels, by rows.

@@ -16,9 +16,9 @@ void visit(uint i, uint pixel, touch where) {
 #ifdef FOR_CAMERA
   sink_go_to(pixel);
   const seen_fibre fibre = see(i, where);
-  occupy(camera_position(where.depth), pelage_optical_depth(fibre.opacity * fibre.coverage));
+  occupy(camera_position(load_range(), where.depth), pelage_optical_depth(fibre.opacity * fibre.coverage));
 #else
-  occupy(light_position(where.depth), fragment_of(i, where).id);
+  occupy(light_position(load_range(), where.depth), fragment_of(i, where).id);
 #endif
 }
 

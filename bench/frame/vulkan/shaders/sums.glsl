@@ -9,8 +9,11 @@
 
 layout(std430, binding = 21) buffer sum_buffer { uint sums[]; };
 
-/// All four are on their way before the first answer is waited for.
+/// What lies deep adds nothing. All four parts are on their way before the first answer is waited for.
 void add_to_sums(uint pixel, uvec4 part) {
+  if (part == uvec4(0u)) {
+    return;
+  }
   uvec4 held;
   for (uint i = 0u; i < 4u; ++i) {
     held[i] = atomicAdd(sums[4u * pixel + i], part[i]);
@@ -28,7 +31,7 @@ pelage_tail load_sums(uint pixel) {
   for (uint i = 0u; i < 4u; ++i) {
     held[i] = (passed >> i & 1u) != 0u ? 0xffffffffu : sums[4u * pixel + i];
   }
-  return pelage_tail(pelage_occupancy_map_total(load_occupancy()), held.x, held.y, held.z, held.w);
+  return pelage_tail(pelage_occupancy_map_total(load_occupancy().map), held.x, held.y, held.z, held.w);
 }
 
 #endif
