@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cstdint>
 #include <numeric>
@@ -52,6 +53,21 @@ struct order_job {
   void for_each_visible(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const {
     from.for_each(segments, clip, [&](std::uint32_t segment, int x, int y, const touch& t) {
       if (limit.empty() || !(t.depth >= limit[pixel(x, y)])) visit(segment, x, y, t);
+    });
+  }
+
+  /// Calls `visit(touches)` for the same.
+  template <class Visit>
+  void for_each_visible_lanes(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const {
+    from.for_each_lanes(segments, clip, [&](raster::touches found) {
+      if (!limit.empty()) {
+        for (std::uint32_t left = found.set; left != 0; left &= left - 1U) {
+          const int k = std::countr_zero(left);
+          if (found.depth.lane[k] >= limit[pixel(found.x[k], found.y[k])]) found.set ^= 1U << k;
+        }
+        if (found.set == 0) return;
+      }
+      visit(found);
     });
   }
 

@@ -82,8 +82,19 @@ float shadow_map::texel_at(const glm::vec3& world) const {
 }
 
 float shadow_map::alpha(std::uint32_t segment, const touch& where) const {
-  const float opacity = translucent_ ? fibres_.mix(fibres_.opacity, segment, where.along) : 1.0F;
+  if (!translucent_) return where.coverage;
+  const float opacity =
+      fibres_.same_opacity ? *fibres_.same_opacity : fibres_.mix(fibres_.opacity, segment, where.along);
   return opacity * where.coverage;
+}
+
+seen_lanes::pack shadow_map::alpha(const seen_lanes& all) const {
+  if (!translucent_) return all.coverage;
+  if (fibres_.same_opacity) return seen_lanes::pack(*fibres_.same_opacity) * all.coverage;
+  seen_lanes::pack opacity;
+  for (int k = 0; k < seen_lanes::width; ++k)
+    opacity.lane[k] = fibres_.mix(fibres_.opacity, static_cast<std::uint32_t>(all.id[k]), all.along.lane[k]);
+  return opacity * all.coverage;
 }
 
 void shadow_map::set_sums(std::size_t texel, std::uint32_t coverage, std::uint32_t optical) {

@@ -10,6 +10,7 @@
 
 #include "frame/opaque_depth.hpp"
 #include "frame/raster.hpp"
+#include "frame/seen_lanes.hpp"
 
 namespace pelage::frame {
 
@@ -63,6 +64,7 @@ class shadow_map {
 
   /// A fragment's opacity times coverage.
   [[nodiscard]] float alpha(std::uint32_t segment, const touch& where) const;
+  [[nodiscard]] seen_lanes::pack alpha(const seen_lanes& all) const;
 
   /// Says once what all fragments of a texel sum up to. `coverage`: in units of 2⁻²⁰.
   void set_sums(std::size_t texel, std::uint32_t coverage, std::uint32_t optical);

@@ -52,6 +52,8 @@ strands prepare_strands(const hair_model& model, const strand_overrides& overrid
     for (float& o : s.opacity)
       o = 1.0F - o;
   }
+  const bool one_opacity = overrides.opacity >= 0.0F || model.transparency.empty();
+  if (one_opacity && count > 0) s.same_opacity = s.opacity.front();
 
   s.segment.reserve(model.segment_count());
   for (std::size_t strand = 0; strand < model.strand_count(); ++strand) {

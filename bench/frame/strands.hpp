@@ -3,6 +3,7 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "frame/hair_model.hpp"
@@ -16,6 +17,7 @@ struct strands {
   std::vector<glm::vec3> tangent;      ///< unit, root to tip, mean of the two segments that meet
   std::vector<float> radius;           ///< half the fibre's thickness
   std::vector<float> opacity;          ///< of a fibre hit in full, [0, 1]
+  std::optional<float> same_opacity;   ///< of all points, if the model says so
   std::vector<glm::vec3> colour;       ///< linear RGB reflectance
   std::vector<std::uint32_t> segment;  ///< the first of each segment's two points
   std::vector<std::uint8_t> end_of;    ///< per point, `first` and `last` where a strand begins and ends

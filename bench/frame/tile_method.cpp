@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
 #include "frame/group_by_pixel.hpp"
 #include "frame/order_job.hpp"
+#include "frame/seen_lanes.hpp"
 #include "frame/tiles.hpp"
 
 /// The method that has one thread draw a tile, whose fragments stay in its cache.
@@ -30,11 +32,15 @@ class tile_worker {
     std::fill(count_.begin(), count_.end(), 0);
     std::fill(held_.begin(), held_.end(), 0);
     std::fill(behind_.begin(), behind_.end(), empty_tail());
-    work.for_each_visible(segments, rect, [&](std::uint32_t segment, int x, int y, const touch& t) {
-      const int p = (y - rect.y0) * tiles::side + (x - rect.x0);
-      pixel_of_[arrived_count_] = static_cast<std::uint16_t>(p);
-      arrived_[arrived_count_] = seen_fragment{segment, t};
-      if (++arrived_count_ == capacity) flush(work, rect);
+    work.for_each_visible_lanes(segments, rect, [&](const raster::touches& found) {
+      const auto pixel = (found.y - rect.y0) * tiles::side + (found.x - rect.x0);
+      const floats left = packed_left(found.set, floats(reinterpret_cast<floats::vector>(pixel)));
+      const auto narrow = __builtin_convertvector(reinterpret_cast<floats::integers>(left.lane), pixel_numbers);
+      __builtin_memcpy(&pixel_of_[arrived_count_], &narrow, sizeof(narrow));
+      const seen_lanes seen{found.segment, found.depth, found.coverage, found.along};
+      seen.packed_left(found.set).store(&arrived_[arrived_count_]);
+      arrived_count_ += static_cast<std::size_t>(std::popcount(found.set));
+      if (arrived_count_ >= capacity) flush(work, rect);
     });
     flush(work, rect);
     for (int y = rect.y0; y < rect.y1; ++y) {
@@ -49,8 +55,12 @@ class tile_worker {
   }
 
  private:
+  using floats = seen_lanes::pack;
+  typedef std::uint16_t pixel_numbers __attribute__((vector_size(2 * seen_lanes::width)));
+
   static constexpr std::size_t pixels = static_cast<std::size_t>(tiles::side) * tiles::side;
   static constexpr std::size_t capacity = std::size_t{1} << 15;
+  static constexpr std::size_t width = seen_lanes::width;  ///< so many more are written, the last in vain
 
   void flush(const order_job& work, const pixel_rect& rect) {
     group_by_pixel(std::span<const std::uint16_t>(pixel_of_).first(arrived_count_),
@@ -76,28 +86,32 @@ class tile_worker {
       held_[p] += static_cast<std::uint32_t>(arrived.size());
       return;
     }
-    fragment* all = all_.data();
-    for (std::uint32_t i = 0; i < held; ++i)
-      *all++ = fragment_of(kept[i]);
-    for (const seen_fragment& f : arrived)
-      *all++ = fragment_of(f);
+    std::size_t count = 0;
+    for (const std::span<const seen_fragment> some : {std::span<const seen_fragment>(kept.first(held)), arrived}) {
+      for (std::size_t i = 0; i < some.size(); i += width)
+        seen_lanes::load(&some[i]).store_fragments(&all_[count + i]);
+      count += some.size();
+    }
     std::array<fragment, K> nearest;
-    k_select<K>({all_.data(), all}, std::span(nearest));
+    k_select<K>({all_.data(), count}, std::span(nearest));
 
-    std::array<seen_fragment, K + 1> stay;  // one more, for what is written in vain
+    std::array<seen_fragment, K + width> stay;
     std::size_t staying = 0;
     std::size_t going = 0;
-    const auto sort_out = [&](const seen_fragment& f) {
-      const bool goes = before(nearest[K - 1], fragment_of(f));
-      stay[staying] = f;
-      lost_[going] = f;
-      staying += goes ? 0U : 1U;
-      going += goes ? 1U : 0U;
+    const auto sort_out = [&](std::span<const seen_fragment> some) {
+      for (std::size_t i = 0; i < some.size(); i += width) {
+        const std::uint32_t all =
+            i + width <= some.size() ? all_bits<seen_lanes::width>() : (1U << (some.size() - i)) - 1U;
+        const seen_lanes f = seen_lanes::load(&some[i]);
+        const std::uint32_t goes = f.behind(nearest[K - 1]) & all;
+        f.packed_left(all & ~goes).store(&stay[staying]);
+        f.packed_left(goes).store(&lost_[going]);
+        staying += static_cast<std::size_t>(std::popcount(all & ~goes));
+        going += static_cast<std::size_t>(std::popcount(goes));
+      }
     };
-    for (std::uint32_t i = 0; i < held; ++i)
-      sort_out(kept[i]);
-    for (const seen_fragment& f : arrived)
-      sort_out(f);
+    sort_out(kept.first(held));
+    sort_out(arrived);
     std::copy_n(stay.begin(), K, kept.begin());
     held_[p] = K;
     const int side = tiles::side;
@@ -127,15 +141,15 @@ class tile_worker {
   }
 
   std::size_t arrived_count_ = 0;
-  std::vector<std::uint16_t> pixel_of_ = std::vector<std::uint16_t>(capacity);
-  std::vector<seen_fragment> arrived_ = std::vector<seen_fragment>(capacity);
-  std::vector<seen_fragment> by_pixel_ = std::vector<seen_fragment>(capacity);
-  std::vector<fragment> all_ = std::vector<fragment>(capacity + K);
-  std::vector<seen_fragment> lost_ = std::vector<seen_fragment>(capacity + K + 1);
+  std::vector<std::uint16_t> pixel_of_ = std::vector<std::uint16_t>(capacity + width);
+  std::vector<seen_fragment> arrived_ = std::vector<seen_fragment>(capacity + width);
+  std::vector<seen_fragment> by_pixel_ = std::vector<seen_fragment>(capacity + width);
+  std::vector<fragment> all_ = std::vector<fragment>(capacity + K + width);
+  std::vector<seen_fragment> lost_ = std::vector<seen_fragment>(capacity + K + 2 * width);
   std::vector<std::uint32_t> end_ = std::vector<std::uint32_t>(pixels);    ///< where each pixel's arrivals end
   std::vector<std::uint32_t> count_ = std::vector<std::uint32_t>(pixels);  ///< of all its fragments
   std::vector<std::uint32_t> held_ = std::vector<std::uint32_t>(pixels);   ///< of those, kept
-  std::vector<seen_fragment> kept_ = std::vector<seen_fragment>(pixels * K);
+  std::vector<seen_fragment> kept_ = std::vector<seen_fragment>(pixels * K + width);
   std::vector<tail> behind_ = std::vector<tail>(pixels);
 };
 

@@ -72,9 +72,13 @@ void check_interleaving() {
   RC_ASSERT(found == zipped);
   store_quads(part(0), part(1), part(2), part(3), reinterpret_cast<float*>(stored.data()));
   RC_ASSERT(stored == quads);
+  lanes<W> a, b, c, d;
+  load_quads(reinterpret_cast<const float*>(quads.data()), a, b, c, d);
+  RC_ASSERT((words_of(a) == words_of(part(0)) && words_of(b) == words_of(part(1))));
+  RC_ASSERT((words_of(c) == words_of(part(2)) && words_of(d) == words_of(part(3))));
 }
 
-TEST_CASE("two vectors are zipped, and four stored lane by lane") {
+TEST_CASE("two vectors are zipped, four stored lane by lane, and read again") {
   holds("4 lanes", check_interleaving<4>);
   holds("8 lanes", check_interleaving<8>);
   holds("16 lanes", check_interleaving<16>);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/shadows/k_buffer_shadow.hpp"
 
-#include <pelage/composite/optical_depth.hpp>
+#include <pelage/composite/optical_depth_lanes.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -15,11 +15,18 @@ k_buffer_shadow::k_buffer_shadow(const raster& from, const solids& opaque, bool 
 
 void k_buffer_shadow::lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) {
   texel& t = texel_[index(x, y)];
-  for (const auto& [segment, where] : lost) {
-    behind.optical = add_saturating(behind.optical, optical_depth(alpha(segment, where)));
-    behind.weight = add_saturating(behind.weight, to_fixed(where.coverage));
-    t.farthest = std::max(t.farthest, where.depth);
-  }
+  lane_numbers<seen_lanes::width> optical{};
+  lane_numbers<seen_lanes::width> coverage{};
+  seen_lanes::pack farthest(t.farthest);
+  for_each_lanes(lost, [&](const seen_lanes& f) {
+    optical = add_saturating(optical, optical_depth(alpha(f)));
+    coverage = add_saturating(coverage, to_fixed(f.coverage));
+    farthest = greatest(f.depth, farthest);
+  });
+  behind.optical = add_saturating(behind.optical, sum_saturating(optical));
+  behind.weight = add_saturating(behind.weight, sum_saturating(coverage));
+  for (int k = 0; k < seen_lanes::width; ++k)
+    t.farthest = std::max(t.farthest, farthest.lane[k]);
 }
 
 void k_buffer_shadow::finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) {

@@ -36,9 +36,20 @@ template <int W>
 template <int W>
 [[gnu::always_inline]] inline void store_quads(lanes<W> a, lanes<W> b, lanes<W> c, lanes<W> d, float* to) noexcept;
 
+/// Reads what store_quads() writes.
+template <int W>
+[[gnu::always_inline]] inline void load_quads(const float* from, lanes<W>& a, lanes<W>& b, lanes<W>& c,
+                                              lanes<W>& d) noexcept;
+
 // ---------------------------------------------------------------------------------------------------------
 
 namespace detail {
+
+/// Every second lane of both, from lane First on.
+template <int W, int First, int... I>
+[[gnu::always_inline]] inline lanes<W> unzip(lanes<W> a, lanes<W> b, std::integer_sequence<int, I...>) noexcept {
+  return lanes<W>(__builtin_shufflevector(a.lane, b.lane, (First + 2 * I)...));
+}
 
 template <int W, int First, int... I>
 [[gnu::always_inline]] inline lanes<W> zip(lanes<W> a, lanes<W> b, std::integer_sequence<int, I...>) noexcept {
@@ -77,6 +88,17 @@ lanes<W> packed_left(std::uint32_t set, lanes<W> x) noexcept {
 #if defined(__AVX512F__)
   if constexpr (W == 16) {
     return lanes<W>(typename lanes<W>::vector(_mm512_maskz_compress_ps(static_cast<__mmask16>(set), __m512(x.lane))));
+  }
+#endif
+#if defined(__AVX2__) && defined(__BMI2__)
+  if constexpr (W == 8) {
+    const std::uint64_t bytes = _pdep_u64(set, 0x0101010101010101u) * 0xffu;
+    const std::uint64_t order = _pext_u64(0x0706050403020100u, bytes);
+    const __m256i from = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(order)));
+    const __m256i count = _mm256_set1_epi32(std::popcount(set));
+    const __m256i used = _mm256_cmpgt_epi32(count, _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    return lanes<W>(typename lanes<W>::vector(
+        _mm256_and_ps(_mm256_permutevar8x32_ps(__m256(x.lane), from), _mm256_castsi256_ps(used))));
   }
 #endif
   lanes<W> result(0.0f);
@@ -123,6 +145,23 @@ void store_quads(lanes<W> a, lanes<W> b, lanes<W> c, lanes<W> d, float* to) noex
   zip_high(ac_low, bd_low).store(to + W);
   zip_low(ac_high, bd_high).store(to + 2 * W);
   zip_high(ac_high, bd_high).store(to + 3 * W);
+}
+
+template <int W>
+void load_quads(const float* from, lanes<W>& a, lanes<W>& b, lanes<W>& c, lanes<W>& d) noexcept {
+  constexpr std::make_integer_sequence<int, W> each;
+  const lanes<W> first = lanes<W>::load(from);
+  const lanes<W> second = lanes<W>::load(from + W);
+  const lanes<W> third = lanes<W>::load(from + 2 * W);
+  const lanes<W> fourth = lanes<W>::load(from + 3 * W);
+  const lanes<W> ac_low = detail::unzip<W, 0>(first, second, each);
+  const lanes<W> bd_low = detail::unzip<W, 1>(first, second, each);
+  const lanes<W> ac_high = detail::unzip<W, 0>(third, fourth, each);
+  const lanes<W> bd_high = detail::unzip<W, 1>(third, fourth, each);
+  a = detail::unzip<W, 0>(ac_low, ac_high, each);
+  b = detail::unzip<W, 0>(bd_low, bd_high, each);
+  c = detail::unzip<W, 1>(ac_low, ac_high, each);
+  d = detail::unzip<W, 1>(bd_low, bd_high, each);
 }
 
 }  // namespace pelage

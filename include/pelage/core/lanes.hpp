@@ -20,16 +20,19 @@ template <>
 struct lane_vectors<4> {
   typedef float real __attribute__((vector_size(16)));
   typedef int integer __attribute__((vector_size(16)));
+  typedef std::uint32_t natural __attribute__((vector_size(16)));
 };
 template <>
 struct lane_vectors<8> {
   typedef float real __attribute__((vector_size(32)));
   typedef int integer __attribute__((vector_size(32)));
+  typedef std::uint32_t natural __attribute__((vector_size(32)));
 };
 template <>
 struct lane_vectors<16> {
   typedef float real __attribute__((vector_size(64)));
   typedef int integer __attribute__((vector_size(64)));
+  typedef std::uint32_t natural __attribute__((vector_size(64)));
 };
 
 /// W floats that go through a formula together. For the CPU alone; GCC's and clang's vector types underneath, so that
@@ -39,6 +42,7 @@ template <int W>
 struct lanes {
   using vector = typename lane_vectors<W>::real;
   using integers = typename lane_vectors<W>::integer;
+  using naturals = typename lane_vectors<W>::natural;
 
   vector lane;
 
