@@ -4,11 +4,15 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "frame/built_in.hpp"
+#include "frame/fibres.hpp"
 
 namespace pelage::test {
 
@@ -37,9 +41,10 @@ frame_settings small_frame(order_method order, std::uint32_t k) {
 }
 
 /// None, after one line, on a machine without a device, unless one is a must.
-std::optional<device_frame> draw(const frame_settings& settings, std::uint32_t frames = 1) {
+std::optional<device_frame> draw(const frame_settings& settings, std::uint32_t frames = 1,
+                                 const hair_model& model = small_hair()) {
   try {
-    return draw_frame_on_device(small_hair(), settings, frames);
+    return draw_frame_on_device(model, settings, frames);
   } catch (const no_device& e) {
     MESSAGE("not run: ", e.what());
     CHECK(std::getenv("PELAGE_DEVICE_REQUIRED") == nullptr);
@@ -119,6 +124,48 @@ TEST_CASE("Blended and shadowed without lists, a device's picture is the process
       CHECK(draw(settings)->hash == got->hash);
     }
   }
+}
+
+TEST_CASE("A slab's sum stops at its end: 128 opaque fragments make it 2^32, and what lies behind stays hidden") {
+  // Bars that fill the picture: 128 in the first of a pixel's four slabs, and a bright one in the last.
+  const float apart = 1e-3F;
+  std::vector<std::vector<glm::vec3>> bars(129, {{-2.0F, 0.0F, 0.0F}, {2.0F, 0.0F, 0.0F}});
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    for (glm::vec3& p : bars[i])
+      p.z = -apart * static_cast<float>(i < 128 ? i : 1000);
+  }
+  hair_model model = model_of(bars, 1.5F, 1.0F);
+  model.colour.assign(model.points.size(), glm::vec3(0.1F));
+  model.colour.back() = glm::vec3(1.0F);
+  frame_settings settings;
+  settings.width = 24;
+  settings.height = 24;
+  settings.from = glm::vec2(0.0F);
+  settings.shown = components::shadows;
+  settings.shading_spacing = std::numeric_limits<float>::infinity();  // as a device has it
+  settings.shadow.method = shadow_method::occupancy;
+  settings.blend.method = blend_method::order_weighted;
+  const std::optional<device_frame> got = draw(settings, 1, model);
+  if (!got) return;
+  const frame_result expected = draw_frame(model, settings, [](const std::string&, double) {});
+  CHECK(got->views.back().longest == 129);
+  CHECK(compare(got->picture, expected.picture).rms < 0.001);
+}
+
+TEST_CASE("Light beyond the range of a pixel's sums is held to its end") {
+  frame_settings settings = small_frame(order_method::k_buffer, 4);
+  settings.shown = components::translucency;
+  settings.blend.method = blend_method::order_weighted;
+  settings.lights = {{light_kind::directional, glm::vec3(0.0F), {0.0F, 0.0F, -1.0F}, glm::vec3(1e5F)}};
+  const std::optional<device_frame> got = draw(settings);
+  if (!got) return;
+  const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
+  double sum = 0;
+  for (std::size_t i = 0; i < expected.picture.pixels.size(); ++i) {
+    const float right = expected.picture.pixels[i].r;
+    sum += std::abs(got->picture.pixels[i].r - right) / (1.0F + right);
+  }
+  CHECK(sum / static_cast<double>(expected.picture.pixels.size()) < 0.001);
 }
 
 TEST_CASE("All layers peeled are the picture of sorted lists") {

@@ -14,7 +14,7 @@ namespace pelage::frame {
 struct device_frame {
   struct pass {
     std::string view;     ///< "light 1", …, "camera"
-    std::string name;     ///< the kernel's, or what was cleared
+    std::string name;     ///< the kernel's, or what was cleared; what runs for each layer counts as one pass
     double milliseconds;  ///< median over the frames, by the device's clock
   };
   struct fragments {
