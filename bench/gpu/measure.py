@@ -59,7 +59,7 @@ def peeling_table(program, folder):
     """Occupancy maps against depth peeling, and the error of each picture."""
     truth = folder / "gpu_sorted.png"
     all_reports = {"sorted": draw(program, HAIR + ["--order", "selection_sort"], 2, truth)}
-    print("\n50 000 strands, 640 x 640: milliseconds; the picture against that of sorted lists, RMS and largest difference")
+    print("\n50 000 strands, 640 x 640: milliseconds; RMS and largest difference from the picture of sorted lists")
     print(f"{'--shadow':12}{'--blend':18}{'frame':>8}{'blending':>10}{'MB':>8}{'RMS':>10}{'largest':>10}   one hash")
     for shadow in ["k_buffer", "occupancy"]:
         for blend in ["k_buffer", "order_weighted", "depth_peeling"]:
