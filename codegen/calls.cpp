@@ -79,12 +79,13 @@ std::string translator::call(const CallExpr* c, position at) {
   if (f->isVariadic()) return reject(c->getBeginLoc(), "variadic function");
   if (isa<CXXConversionDecl>(f)) return reject(c->getBeginLoc(), "conversion operator");
   const std::string name = use(f, c->getBeginLoc());
-  bind_sizes(f, c->getCallee());
+  bind_sizes(f, {});
   const bool through_storage = object != nullptr && is_storage_type(object->getType());
   if (through_storage && !cast<CXXMethodDecl>(f)->isConst() && at == position::part) {
     reject(c->getBeginLoc(), "call with an effect inside an expression: give its result a name first");
   }
   const auto* method = dyn_cast<CXXMethodDecl>(f);
+  if (method != nullptr) bind_sizes(method->getParent(), {});
   const bool no_self = through_storage || (method != nullptr && method->isStatic());
   return name + "(" + arguments(f, args, no_self ? nullptr : object, c, at) + ")";
 }

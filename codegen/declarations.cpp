@@ -42,7 +42,7 @@ void translator::require(const NamedDecl* d) {
 
 std::string translator::use(const NamedDecl* d, SourceLocation where) {
   require(d);
-  if (fresh_) fresh_->needs.emplace_back(&slot(d), where);
+  fresh_->needs.emplace_back(&slot(d), where);
   return global_name(d);
 }
 

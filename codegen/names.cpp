@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -60,6 +61,10 @@ const std::set<std::string>& functions() {
 std::string upper(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
   return name;
+}
+
+std::string preprocessed(const std::string& expression) {
+  return std::regex_replace(expression, std::regex("([0-9])u"), "$1");
 }
 
 std::string operator_name(const clang::NamedDecl* d) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <clang/AST/Decl.h>
+#include <llvm/Support/FormatVariadic.h>
 
+#include <regex>
 #include <string>
 
 namespace pelage::codegen {
@@ -15,6 +17,15 @@ namespace pelage::codegen {
 
 /// PELAGE_K_BUFFER_K for the parameter K of pelage::k_buffer.
 [[nodiscard]] std::string upper(std::string name);
+
+/// A text with {0}, {1} and so on in it, filled.
+template <class... Parts>
+[[nodiscard]] std::string filled(const char* format, Parts&&... parts) {
+  return llvm::formatv(format, std::forward<Parts>(parts)...).str();
+}
+
+/// An expression of sizes without the literals' suffixes, which the preprocessor does not know.
+[[nodiscard]] std::string preprocessed(const std::string& expression);
 
 /// Why a name cannot stand in GLSL, or nothing. Fields may bear the names of built-in functions, others not.
 [[nodiscard]] std::string bad_name(const std::string& name, bool is_field);

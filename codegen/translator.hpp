@@ -98,13 +98,7 @@ class translator {
   // sizes.cpp
   std::string size_name(const clang::NonTypeTemplateParmDecl* p, clang::SourceLocation where);
   void set_templates(const clang::Decl* d);
-  void find_aliases(const clang::FunctionDecl* f);
-  void bind_size(const clang::TemplateDecl* of, unsigned index, const clang::TemplateArgument& value,
-                 const clang::TemplateArgument* written);
-  void bind_sizes(const clang::FunctionDecl* callee, const clang::Expr* call);
-  void bind_sizes(clang::QualType t);
-  void note_sizes(const clang::NamedDecl* owner, const clang::TemplateDecl* pattern,
-                  const clang::TemplateArgumentList& arguments);
+  void bind_sizes(const clang::Decl* used, llvm::ArrayRef<clang::TemplateArgument> written);
   void note_condition(const clang::StaticAssertDecl* check);
 
   // syntax.cpp
@@ -183,7 +177,6 @@ class translator {
   std::unique_ptr<entity> fresh_;
   std::vector<const clang::TemplateDecl*> templates_;  ///< enclosing ones, outermost first
   std::vector<std::pair<std::string, llvm::APSInt>> size_values_;
-  std::map<std::string, std::string> aliases_;  ///< sizes of a function that are a parameter's sizes
   bool in_storage_ = false;
   bool arithmetic_ = false;  ///< floating-point arithmetic seen
   std::set<std::string> locals_;

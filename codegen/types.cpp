@@ -103,7 +103,7 @@ std::string translator::scalar_type(QualType t, SourceLocation where) {
         return reject(where, "64-bit integer that is not declared as std::uint64_t or std::int64_t" +
                                  (name.empty() ? std::string() : " but as " + name));
       }
-      if (fresh_ && fresh_->where != nullptr) fresh_->where->uses_int64 = true;
+      fresh_->where->uses_int64 = true;
       return name;
     }
     case BuiltinType::Double:
@@ -158,7 +158,8 @@ std::string translator::element_type(QualType t, SourceLocation where) {
   if (is_storage(record)) return reject(where, "storage can only be a function's parameter");
   if (record->isInStdNamespace() || is_glm(record)) return reject(where, name + " is not in the subset");
   if (record->isLambda()) return reject(where, "lambda");
-  bind_sizes(t);
+  const auto* written = t->getAs<TemplateSpecializationType>();
+  bind_sizes(record, written == nullptr ? llvm::ArrayRef<TemplateArgument>() : written->template_arguments());
   return use(record, where);
 }
 
