@@ -9,11 +9,6 @@ using namespace clang;
 
 namespace {
 
-bool is_array_type(QualType t) {
-  const CXXRecordDecl* r = t.getNonReferenceType()->getAsCXXRecordDecl();
-  return r != nullptr && r->isInStdNamespace() && r->getName() == "array";
-}
-
 /// True where one path leads to the other's place or into it: slot and slot[i].depth, but not slot[i] and slot[j].
 bool overlap(const std::string& a, const std::string& b) {
   const std::string& shorter = a.size() < b.size() ? a : b;
@@ -69,13 +64,13 @@ std::string translator::call(const CallExpr* c, position at) {
   const Expr* object = nullptr;
   if (const auto* m = dyn_cast<CXXMemberCallExpr>(c)) {
     object = m->getImplicitObjectArgument();
-    if (is_array_type(object->getType())) {
+    if (is_std_type(object->getType(), "array")) {
       return reject(c->getBeginLoc(), "std::array::" + f->getNameAsString() + ": only [] is in the subset");
     }
-    if (is_glm(f)) return reject(c->getBeginLoc(), f->getQualifiedNameAsString() + " is not in the subset");
+    if (is_in(f, "glm")) return reject(c->getBeginLoc(), f->getQualifiedNameAsString() + " is not in the subset");
     if (m->getMethodDecl()->isVirtual()) return reject(c->getBeginLoc(), "virtual function");
   }
-  if (is_std(f) || is_glm(f) || f->getBuiltinID() != 0) return library_call(c, f);
+  if (is_in(f, "std") || is_in(f, "glm") || f->getBuiltinID() != 0) return library_call(c, f);
   if (f->isVariadic()) return reject(c->getBeginLoc(), "variadic function");
   if (isa<CXXConversionDecl>(f)) return reject(c->getBeginLoc(), "conversion operator");
   const std::string name = use(f, c->getBeginLoc());
@@ -94,7 +89,7 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
   const OverloadedOperatorKind op = c->getOperator();
   const FunctionDecl* f = c->getDirectCallee();
   const QualType left = c->getArg(0)->getType();
-  if (op == OO_Subscript && (is_array_type(left) || (f != nullptr && is_glm(f)))) {
+  if (op == OO_Subscript && (is_std_type(left, "array") || (f != nullptr && is_in(f, "glm")))) {
     // The index is a size_t in C++; its own type will do here.
     return glsl(c->getArg(0)) + "[" + glsl(without_conversions(c->getArg(1))) + "]";
   }
@@ -102,7 +97,7 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
   const bool assigns = c->isAssignmentOp();
   const auto* method = dyn_cast_or_null<CXXMethodDecl>(f);
   const bool copies = op == OO_Equal && method != nullptr && !method->isUserProvided();
-  if (f == nullptr || !(is_glm(f) || copies)) {
+  if (f == nullptr || !(is_in(f, "glm") || copies)) {
     // An operator of ours is a function by another name, as long as it changes nothing.
     if (f == nullptr || method != nullptr || operator_name(f).empty()) {
       return reject(c->getOperatorLoc(), "operator overload: call a function instead");
@@ -113,26 +108,11 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
     return reject(c->getOperatorLoc(), "assignment inside an expression: make it a statement of its own");
   }
   if (op == OO_PlusPlus || op == OO_MinusMinus) return reject(c->getOperatorLoc(), "increment of a vector");
-  arithmetic_ = arithmetic_ || is_glm(f);
+  arithmetic_ = arithmetic_ || is_in(f, "glm");
   const std::string spelled = getOperatorSpelling(op);
   if (c->getNumArgs() == 1) return spelled + glsl(c->getArg(0));
   return glsl(c->getArg(0)) + " " + spelled + " " +
          glsl(c->getArg(1), assigns ? position::whole : position::part);
-}
-
-std::string translator::construct(const CXXConstructExpr* c) {
-  const CXXConstructorDecl* made = c->getConstructor();
-  const bool vector = is_glm(made);
-  if (made->isCopyOrMoveConstructor() && c->getNumArgs() == 1) return glsl(c->getArg(0));
-  if (vector) {
-    if (c->getNumArgs() == 0) return reject(c->getBeginLoc(), "vector without a value");
-    const std::vector<const Expr*> values(c->arg_begin(), c->arg_end());
-    return type_of(c->getType(), c->getBeginLoc()).text() + "(" + listed(values) + ")";
-  }
-  if (c->getNumArgs() == 0 && (made->isTrivial() || !made->isUserProvided()))
-    return zero(c->getType(), c->getBeginLoc());
-  return reject(c->getBeginLoc(), "constructor of " + made->getParent()->getQualifiedNameAsString() +
-                                      ": only aggregates are in the subset");
 }
 
 }  // namespace pelage::codegen

@@ -174,29 +174,4 @@ std::string translator::member(const MemberExpr* m) {
   return text + "." + f->getNameAsString();
 }
 
-/// fragment{a, b} and std::array<T, N>{a, b}: constructors with every part.
-std::string translator::initializer_list(const InitListExpr* l) {
-  if (const InitListExpr* semantic = l->getSemanticForm()) l = semantic;
-  const QualType type = l->getType();
-  if (!type->isRecordType()) {
-    if (l->getNumInits() == 0) return zero(type, l->getBeginLoc());
-    return l->getNumInits() == 1 ? glsl(l->getInit(0)) : reject(l->getBeginLoc(), "list of values");
-  }
-  const std::vector<const Expr*> values(l->inits().begin(), l->inits().end());
-  QualType element;
-  std::string extent;
-  if (!is_array(type, element, extent)) return type_of(type, l->getBeginLoc()).text() + "(" + listed(values) + ")";
-  const auto* inner = values.empty() ? nullptr : dyn_cast<InitListExpr>(values.front()->IgnoreImplicit());
-  std::vector<const Expr*> elements;
-  if (inner != nullptr) elements.assign(inner->inits().begin(), inner->inits().end());
-  return array_value(type, elements, l->getBeginLoc());
-}
-
-std::string translator::listed(const std::vector<const Expr*>& values) {
-  std::string text;
-  for (const Expr* value : values)
-    text += (text.empty() ? "" : ", ") + glsl(value);
-  return text;
-}
-
 }  // namespace pelage::codegen

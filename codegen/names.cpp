@@ -104,39 +104,23 @@ std::string bad_name(const std::string& name, bool is_field) {
   if (reserved().count(name) != 0) {
     return "`" + name + "` is a keyword or a reserved word in GLSL";
   }
-  if (!is_field && functions().count(name) != 0) {
+  if (!is_field && is_builtin(name)) {
     return "`" + name + "` is a built-in function in GLSL";
   }
   return {};
 }
 
-std::string builtin_function(const std::string& qualified) {
-  static const std::set<std::string> std_same = words(R"(
-    sqrt abs floor ceil trunc exp exp2 log log2 pow sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
-    isnan isinf fma)");
-  static const std::set<std::string> glm_same = words(R"(
-    sqrt abs floor ceil trunc exp exp2 log log2 pow sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
-    isnan isinf fma inversesqrt sign fract mod min max clamp mix step smoothstep radians degrees length distance
-    dot cross normalize faceforward reflect refract matrixCompMult outerProduct transpose determinant inverse
-    lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual any all roundEven floatBitsToInt
-    floatBitsToUint intBitsToFloat uintBitsToFloat bitCount findLSB findMSB bitfieldReverse)");
-  static const std::map<std::string, std::string> other = {
-      {"std::fabs", "abs"}, {"std::atan2", "atan"}, {"glm::not_", "not"}};
-  if (const auto found = other.find(qualified); found != other.end()) {
-    return found->second;
-  }
-  const std::string name = qualified.size() > 5 ? qualified.substr(5) : std::string();
-  const bool same = (qualified.rfind("std::", 0) == 0 && std_same.count(name) != 0) ||
-                    (qualified.rfind("glm::", 0) == 0 && glm_same.count(name) != 0);
-  return same ? name : std::string();
+bool is_builtin(const std::string& name) {
+  return functions().count(name) != 0;
 }
 
-bool is_std(const clang::NamedDecl* d) {
-  return d->getQualifiedNameAsString().rfind("std::", 0) == 0;
+bool is_in(const clang::NamedDecl* d, const std::string& space) {
+  return d->getQualifiedNameAsString().rfind(space + "::", 0) == 0;
 }
 
-bool is_glm(const clang::NamedDecl* d) {
-  return d->getQualifiedNameAsString().rfind("glm::", 0) == 0;
+bool is_std_type(clang::QualType t, llvm::StringRef name) {
+  const clang::CXXRecordDecl* r = t.getNonReferenceType()->getAsCXXRecordDecl();
+  return r != nullptr && r->isInStdNamespace() && r->getName() == name;
 }
 
 }  // namespace pelage::codegen

@@ -30,11 +30,13 @@ template <class... Parts>
 /// Why a name cannot stand in GLSL, or nothing. Fields may bear the names of built-in functions, others not.
 [[nodiscard]] std::string bad_name(const std::string& name, bool is_field);
 
-/// The GLSL built-in that a function of std:: or glm:: becomes where both take the same arguments, or nothing.
-[[nodiscard]] std::string builtin_function(const std::string& qualified);
+/// True for the names of GLSL's own functions.
+[[nodiscard]] bool is_builtin(const std::string& name);
 
-/// In std:: or in glm::, members of their classes too.
-[[nodiscard]] bool is_std(const clang::NamedDecl* d);
-[[nodiscard]] bool is_glm(const clang::NamedDecl* d);
+/// In a namespace or in one of its classes.
+[[nodiscard]] bool is_in(const clang::NamedDecl* d, const std::string& space);
+
+/// std::span and the like, or a reference to it.
+[[nodiscard]] bool is_std_type(clang::QualType t, llvm::StringRef name);
 
 }  // namespace pelage::codegen

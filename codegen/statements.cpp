@@ -97,12 +97,11 @@ std::string translator::if_statement(const IfStmt* s) {
 std::string translator::range_loop(const CXXForRangeStmt* s) {
   const VarDecl* v = s->getLoopVariable();
   const Expr* range = s->getRangeInit()->IgnoreParenImpCasts();
-  QualType element;
-  std::string extent;
   QualType range_type = range->getType();
   if (const auto* m = dyn_cast<MemberExpr>(range)) range_type = m->getMemberDecl()->getType();
   if (const auto* r = dyn_cast<DeclRefExpr>(range)) range_type = r->getDecl()->getType();
-  if (!is_array(range_type.getNonReferenceType().getUnqualifiedType(), element, extent)) {
+  const std::optional<array> items = array_of(range_type.getNonReferenceType().getUnqualifiedType());
+  if (!items) {
     return reject(range->getBeginLoc(), "range-for over something other than a std::array");
   }
   const std::string name = local_name(v);
@@ -115,7 +114,7 @@ std::string translator::range_loop(const CXXForRangeStmt* s) {
     const bool constant = v->getType().isConstQualified();
     first = (constant ? "\nconst " : "\n") + type_of(v->getType(), v->getLocation()).declare(name) + " = " + item + ";";
   }
-  return "for (int " + index + " = 0; " + index + " < " + extent + "; ++" + index + ") {" + first +
+  return "for (int " + index + " = 0; " + index + " < " + items->extent + "; ++" + index + ") {" + first +
          braced(statement(s->getBody())).substr(1);
 }
 

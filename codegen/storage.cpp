@@ -9,11 +9,6 @@ using namespace clang;
 
 namespace {
 
-bool is_std_type(QualType t, llvm::StringRef name) {
-  const CXXRecordDecl* r = t.getNonReferenceType()->getAsCXXRecordDecl();
-  return r != nullptr && r->isInStdNamespace() && r->getName() == name;
-}
-
 /// x in std::atomic_ref(x).
 const Expr* referred(const Expr* e) {
   for (;;) {

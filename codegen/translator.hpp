@@ -9,6 +9,7 @@
 #include <clang/AST/StmtCXX.h>
 
 #include <llvm/ADT/StringExtras.h>
+#include <llvm/ADT/StringSwitch.h>
 #include <deque>
 #include <functional>
 #include <map>
@@ -66,6 +67,13 @@ class translator {
   [[nodiscard]] static bool is_storage(const clang::CXXRecordDecl* r);
 
  private:
+  struct array {
+    clang::QualType element;
+    std::string extent;
+    std::uint64_t count;
+    bool sized;  ///< by a macro
+  };
+
   // declarations.cpp
   void translate_function(const clang::FunctionDecl* f);
   void translate_record(const clang::CXXRecordDecl* r);
@@ -90,10 +98,15 @@ class translator {
   static const clang::Expr* without_conversions(const clang::Expr* e);
   std::string size_expression(const clang::Expr* e);
   std::string scalar_type(clang::QualType t, clang::SourceLocation where);
-  std::string array_value(clang::QualType array, const std::vector<const clang::Expr*>& given,
+  std::optional<array> array_of(clang::QualType t);
+
+  // values.cpp
+  std::string listed(const std::vector<const clang::Expr*>& values);
+  std::string initializer_list(const clang::InitListExpr* l);
+  std::string construct(const clang::CXXConstructExpr* c);
+  std::string array_value(clang::QualType type, const std::vector<const clang::Expr*>& given,
                           clang::SourceLocation where);
   std::string zero(clang::QualType t, clang::SourceLocation where);
-  bool is_array(clang::QualType t, clang::QualType& element, std::string& extent);
 
   // sizes.cpp
   std::string size_name(const clang::NonTypeTemplateParmDecl* p, clang::SourceLocation where);
@@ -112,8 +125,6 @@ class translator {
   std::string conversion(const clang::CastExpr* c, position at);
   std::string reference(const clang::DeclRefExpr* r);
   std::string member(const clang::MemberExpr* m);
-  std::string listed(const std::vector<const clang::Expr*>& values);
-  std::string initializer_list(const clang::InitListExpr* l);
 
   // literals.cpp
   std::string spelling(clang::SourceLocation literal) const;
@@ -127,13 +138,11 @@ class translator {
   // calls.cpp
   std::string call(const clang::CallExpr* c, position at);
   std::string operator_call(const clang::CXXOperatorCallExpr* c, position at);
-  std::string construct(const clang::CXXConstructExpr* c);
   std::string arguments(const clang::FunctionDecl* f, const std::vector<const clang::Expr*>& args,
                         const clang::Expr* object, const clang::Expr* whole_call, position at);
 
   // library.cpp
   std::string library_call(const clang::CallExpr* c, const clang::FunctionDecl* f);
-  std::string bit_cast(const clang::CallExpr* c);
 
   // storage.cpp
   bool storage_expression(const clang::Expr* e, std::string& text, position at);
