@@ -5,7 +5,6 @@
 
 #include <clang/Lex/Lexer.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -39,9 +38,10 @@ float to_float(llvm::APFloat value) {
 
 /// A literal's text without its separators.
 std::string translator::spelling(SourceLocation literal) const {
-  const CharSourceRange range = CharSourceRange::getTokenRange(sources_.getSpellingLoc(literal));
-  std::string text = Lexer::getSourceText(range, sources_, context_.getLangOpts()).str();
-  text.erase(std::remove(text.begin(), text.end(), '\''), text.end());
+  llvm::SmallString<32> buffer;
+  const SourceLocation where = sources_.getSpellingLoc(literal);
+  std::string text = Lexer::getSpelling(where, buffer, sources_, context_.getLangOpts()).str();
+  std::erase(text, '\'');
   return text;
 }
 

@@ -159,10 +159,8 @@ std::string translator::variable(const VarDecl* v) {
   if (refers && !names_constant(v)) {
     return reject(v->getLocation(), "local reference: make a copy, or name the place each time");
   }
-  if ((v->isStaticLocal() && !v->isConstexpr()) || v->getTSCSpec() != TSCS_unspecified) {
-    return reject(v->getLocation(), "static local variable");
-  }
-  if (v->getType().isVolatileQualified()) return reject(v->getLocation(), "volatile");
+  const bool lasting = (v->isStaticLocal() && !v->isConstexpr()) || v->getTSCSpec() != TSCS_unspecified;
+  reject_any(v->getLocation(), {{lasting, "static local variable"}, {v->getType().isVolatileQualified(), "volatile"}});
   const glsl_type type = type_of(v->getType(), v->getLocation());
   const std::string declared = type.declare(local_name(v));
   const Expr* init = v->getInit();
