@@ -62,12 +62,21 @@ std::string translator::call(const CallExpr* c, position at) {
   if (f == nullptr) return reject(c->getBeginLoc(), "call through a pointer or of a callable object");
   const std::vector<const Expr*> args(c->arg_begin(), c->arg_end());
   const Expr* object = nullptr;
+  const std::string qualified = f->getQualifiedNameAsString();
+  // std::atomic_ref has no minimum before C++26: the library's own stands for GLSL's.
+  if (qualified == "pelage::fetch_minimum") return atomic(c, c->getArg(0), "fetch_min", 1, at);
   if (const auto* m = dyn_cast<CXXMemberCallExpr>(c)) {
     object = m->getImplicitObjectArgument();
+    if (qualified.rfind("std::__atomic_ref", 0) == 0 || qualified.rfind("std::atomic_ref", 0) == 0) {
+      return atomic(c, object, f->getNameAsString(), 0, at);
+    }
+    if (is_std_type(object->getType(), "span")) {
+      return reject(c->getBeginLoc(), "a span's size is a size_t: write static_cast<std::uint32_t>(x.size())");
+    }
     if (is_std_type(object->getType(), "array")) {
       return reject(c->getBeginLoc(), "std::array::" + f->getNameAsString() + ": only [] is in the subset");
     }
-    if (is_in(f, "glm")) return reject(c->getBeginLoc(), f->getQualifiedNameAsString() + " is not in the subset");
+    if (is_in(f, "glm")) return reject(c->getBeginLoc(), qualified + " is not in the subset");
     if (m->getMethodDecl()->isVirtual()) return reject(c->getBeginLoc(), "virtual function");
   }
   if (is_in(f, "std") || is_in(f, "glm") || f->getBuiltinID() != 0) return library_call(c, f);
@@ -89,6 +98,9 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
   const OverloadedOperatorKind op = c->getOperator();
   const FunctionDecl* f = c->getDirectCallee();
   const QualType left = c->getArg(0)->getType();
+  if (op == OO_Subscript && is_std_type(left, "span")) {
+    return cell_macro(c->getArg(0), "", "(i)") + "(" + glsl(without_conversions(c->getArg(1))) + ")";
+  }
   if (op == OO_Subscript && (is_std_type(left, "array") || (f != nullptr && is_in(f, "glm")))) {
     // The index is a size_t in C++; its own type will do here.
     return glsl(c->getArg(0)) + "[" + glsl(without_conversions(c->getArg(1))) + "]";

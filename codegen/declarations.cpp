@@ -20,10 +20,10 @@ const NamedDecl* pattern_of(const NamedDecl* d) {
   return cast<NamedDecl>((pattern == nullptr ? d : pattern)->getCanonicalDecl());
 }
 
-/// Where a declaration begins, `template <...>` included.
-SourceLocation begin_of(const NamedDecl* d) {
+/// A declaration with the `template <...>` before it.
+const NamedDecl* whole(const NamedDecl* d) {
   const TemplateDecl* t = d->getDescribedTemplate();
-  return t == nullptr ? d->getBeginLoc() : t->getBeginLoc();
+  return t == nullptr ? d : t;
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ void translator::finish() {
 /// Starts a definition. False where there is nothing to write: the place is not ours, or is mirrored already.
 bool translator::begin(const NamedDecl* d) {
   const NamedDecl* pattern = pattern_of(d);
-  const SourceLocation where = begin_of(pattern);
+  const SourceLocation where = whole(pattern)->getBeginLoc();
   fresh_ = std::make_unique<entity>();
   fresh_->name = global_name(d);
   fresh_->location = d->getLocation();
@@ -85,13 +85,13 @@ bool translator::begin(const NamedDecl* d) {
   if (d->getDeclContext()->isTranslationUnit() || fresh_->name.find("__") != std::string::npos) {
     check_name(fresh_->name, false, d->getLocation());
   }
-  fresh_->doc = doc_above(where);
+  fresh_->doc = doc_above(whole(pattern));
   fresh_->declared_at = {offset(where), 1u};
   fresh_->defined_at = offset(where);
   if (d->getDeclContext()->isRecord() && (isa<VarDecl>(d) || isa<EnumDecl>(d))) {
     // A record's own constants stand before it: its fields may need them.
     const auto* owner = cast<NamedDecl>(Decl::castFromDeclContext(d->getDeclContext()));
-    fresh_->declared_at = {offset(begin_of(pattern_of(owner))), 0u};
+    fresh_->declared_at = {offset(whole(pattern_of(owner))->getBeginLoc()), 0u};
   }
   return true;
 }
@@ -145,7 +145,7 @@ void translator::translate_function(const FunctionDecl* f) {
   in_storage_ = method != nullptr && is_storage(method->getParent());
   const FunctionDecl* pattern = f->getTemplateInstantiationPattern();
   const FunctionDecl* written = pattern == nullptr ? nullptr : pattern->getDefinition();
-  fresh_->defined_at = offset(begin_of(written == nullptr ? definition : written));
+  fresh_->defined_at = offset(whole(written == nullptr ? definition : written)->getBeginLoc());
   reject_any(where, {{f->getReturnType()->isReferenceType(), "reference as a result: return a value"},
                      {f->isVariadic(), "variadic function"},
                      {method != nullptr && method->isVirtual(), "virtual function"},
@@ -158,7 +158,6 @@ void translator::translate_function(const FunctionDecl* f) {
   const std::string precise = arithmetic_ && !f->getReturnType()->isVoidType() ? "precise " : "";
   if (arithmetic_) list = std::regex_replace(list, std::regex("\\binout "), "precise inout ");
   fresh_->declaration = precise + result + " " + fresh_->name + "(" + list + ")";
-  if (in_storage_) fresh_->doc = doc_above(f->getBeginLoc());
   end(f);
 }
 
@@ -203,8 +202,8 @@ void translator::translate_record(const CXXRecordDecl* r) {
                                   {f->getType()->isReferenceType(), "reference as a member"},
                                   {f->hasInClassInitializer(), "member with a default value"}});
     check_name(f->getNameAsString(), true, f->getLocation());
-    text += doc_above(f->getBeginLoc()) + type_of(f->getType(), f->getLocation()).declare(f->getNameAsString()) + ";  " +
-            doc_beside(f->getLocation()) + "\n";
+    text += doc_above(f) + type_of(f->getType(), f->getLocation()).declare(f->getNameAsString()) + ";  " +
+            doc_beside(f) + "\n";
   }
   fresh_->declaration = text + "};";
   for (const Decl* d : r->decls()) {
@@ -220,7 +219,7 @@ void translator::translate_enum(const EnumDecl* e) {
   for (const EnumConstantDecl* c : e->enumerators()) {
     fresh_->declaration += filled("const {0} {1}_{2} = {3}{4};  {5}\n", type, fresh_->name, c->getName(),
                                   llvm::toString(c->getInitVal(), 10), type == "uint" ? "u" : "",
-                                  doc_beside(c->getLocation()));
+                                  doc_beside(c));
   }
   end(e);
 }
@@ -234,7 +233,7 @@ void translator::translate_constant(const VarDecl* v) {
     return;
   }
   const std::string declared = type_of(v->getType(), v->getLocation()).declare(fresh_->name);
-  fresh_->declaration = "const " + declared + " = " + glsl(init) + ";  " + doc_beside(v->getLocation());
+  fresh_->declaration = "const " + declared + " = " + glsl(init) + ";  " + doc_beside(pattern_of(v));
   end(v);
 }
 

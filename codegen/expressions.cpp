@@ -40,6 +40,7 @@ std::string translator::unary(const UnaryOperator* x, position at) {
     return x->isPrefix() ? op + glsl(operand) : glsl(operand) + op;
   }
   if (x->getOpcode() == UO_Deref && isa<CXXThisExpr>(operand->IgnoreParenImpCasts())) return "self";
+  if (x->getOpcode() == UO_Deref && isa<MemberExpr>(operand->IgnoreParenImpCasts())) return cell_macro(operand, "", "");
   if (x->getOpcode() == UO_Deref || x->getOpcode() == UO_AddrOf) return reject(x->getOperatorLoc(), "pointer");
   arithmetic_ = arithmetic_ || x->getType()->isFloatingType();
   const std::string value = glsl(operand);
@@ -77,6 +78,9 @@ std::string translator::conversion(const CastExpr* c, position at) {
   if (isa<CStyleCastExpr>(c)) return reject(where, "C cast: use static_cast or T(x)");
   if (isa<CXXReinterpretCastExpr>(c) || isa<CXXConstCastExpr>(c) || isa<CXXDynamicCastExpr>(c)) {
     return reject(where, "reinterpret_cast, const_cast and dynamic_cast");
+  }
+  if (const Expr* span = counted_span(c)) {
+    return type_of(cast<ExplicitCastExpr>(c)->getTypeAsWritten(), where).text() + "(" + cell_macro(span, "_SIZE", "") + ")";
   }
   switch (c->getCastKind()) {
     case CK_LValueToRValue:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "headers.hpp"
 
+#include "names.hpp"
 #include "translator.hpp"
 
 #include <clang/Lex/HeaderSearch.h>
@@ -71,11 +72,11 @@ bool headers::is_named(const Decl* d) {
 void headers::note_doc(const NamespaceDecl* space) {
   if (!is_named(space)) return;
   unit* u = unit_of(sources_.getFileID(sources_.getExpansionLoc(space->getLocation())));
-  const llvm::StringRef text = sources_.getBufferData(sources_.getFileID(space->getBeginLoc()));
-  const std::size_t begin = sources_.getFileOffset(space->getBeginLoc());
-  const llvm::StringRef inside = text.substr(text.find('{', begin) + 1).ltrim();
-  const std::string first = doc_lines_above(inside, inside.find("\n\n") + 1);
-  for (const std::string& doc : {doc_lines_above(text, begin), inside.startswith(first) ? first : std::string()}) {
+  const std::regex at_the_beginning("[^{]*\\{\\s*((?:///[^\n]*\n)+)\n");
+  std::cmatch first;
+  std::regex_search(sources_.getCharacterData(space->getBeginLoc()), first, at_the_beginning,
+                    std::regex_constants::match_continuous);
+  for (const std::string& doc : {doc_above(space), first.str(1)}) {
     if (u->doc.find(doc) == std::string::npos) u->doc += (u->doc.empty() ? "" : "\n") + doc;
   }
 }

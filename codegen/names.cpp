@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "names.hpp"
 
+#include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclCXX.h>
 
 #include <algorithm>
@@ -108,6 +109,23 @@ std::string bad_name(const std::string& name, bool is_field) {
     return "`" + name + "` is a built-in function in GLSL";
   }
   return {};
+}
+
+std::string doc_of(const clang::Decl* d) {
+  const clang::ASTContext& context = d->getASTContext();
+  const clang::RawComment* doc = context.getRawCommentForDeclNoCache(d);
+  if (doc == nullptr) return {};
+  return std::regex_replace(doc->getRawText(context.getSourceManager()).str(), std::regex("\\s*\n\\s*"), "\n");
+}
+
+std::string doc_above(const clang::Decl* d) {
+  const std::string doc = doc_of(d);
+  return doc.empty() || doc.rfind("///<", 0) == 0 ? "" : doc + "\n";
+}
+
+std::string doc_beside(const clang::Decl* d) {
+  const std::string doc = doc_of(d);
+  return doc.rfind("///<", 0) == 0 ? doc : "";
 }
 
 bool is_builtin(const std::string& name) {

@@ -34,9 +34,6 @@ constexpr std::pair<Stmt::StmtClass, const char*> no_form[] = {
 }  // namespace
 
 std::string translator::glsl(const Stmt* s, position at) {
-  if (const auto* e = dyn_cast<Expr>(s)) {
-    if (std::string cell; storage_expression(e, cell, at)) return cell;
-  }
   return llvm::TypeSwitch<const Stmt*, std::string>(s)
       .Case<FullExpr, MaterializeTemporaryExpr, CXXBindTemporaryExpr>(
           [&](const auto* x) { return glsl(x->getSubExpr(), at); })

@@ -43,9 +43,6 @@ enum class position { part, whole, statement };
   return variable->isLValueReferenceType() && !variable.getNonReferenceType().isConstQualified();
 }
 
-/// The /// lines that end right above the line of an offset.
-[[nodiscard]] std::string doc_lines_above(llvm::StringRef text, std::size_t offset);
-
 /// Translates definitions into the entities of units. Every instantiation that is reached is translated; two of one
 /// template must come out alike, which proves that no size or type was lost on the way.
 class translator {
@@ -146,10 +143,10 @@ class translator {
   std::string library_call(const clang::CallExpr* c, const clang::FunctionDecl* f);
 
   // storage.cpp
-  bool storage_expression(const clang::Expr* e, std::string& text, position at);
+  std::string cell_macro(const clang::Expr* e, const std::string& suffix, const std::string& parameter);
+  const clang::Expr* counted_span(const clang::CastExpr* c) const;
   std::string atomic(const clang::CallExpr* c, const clang::Expr* reference, const std::string& name, unsigned first,
                      position at);
-  std::string cell_name(const clang::Expr* e, const std::string& index);
   bool is_storage_type(clang::QualType t) const;
 
   // statements.cpp
@@ -166,9 +163,6 @@ class translator {
   std::string local_name(const clang::ValueDecl* v);
   unsigned end_of(const clang::Stmt* s, bool below) const;
 
-  // comments.cpp
-  std::string doc_above(clang::SourceLocation declaration);
-  std::string doc_beside(clang::SourceLocation declaration);
   unsigned offset(clang::SourceLocation l) const { return sources_.getFileOffset(sources_.getExpansionLoc(l)); }
   clang::FileID file(clang::SourceLocation l) const { return sources_.getFileID(sources_.getExpansionLoc(l)); }
 
