@@ -35,7 +35,8 @@ entity& translator::slot(const NamedDecl* d) {
 }
 
 void translator::require(const NamedDecl* d) {
-  if (required_.insert(d->getCanonicalDecl()).second) waiting_.push_back(d);
+  slot(d);  // in the order of requirement
+  required_.insert(cast<NamedDecl>(d->getCanonicalDecl()));
 }
 
 std::string translator::use(const NamedDecl* d, SourceLocation where) {
@@ -45,11 +46,11 @@ std::string translator::use(const NamedDecl* d, SourceLocation where) {
 }
 
 void translator::finish() {
-  for (; !waiting_.empty(); waiting_.pop_front()) {
-    llvm::TypeSwitch<const NamedDecl*>(waiting_.front())
+  for (std::size_t i = 0; i < required_.size(); ++i) {  // grows meanwhile
+    llvm::TypeSwitch<const NamedDecl*>(required_[i])
         .Case<FunctionDecl>([&](const auto* f) { translate_function(f); })
-        .Case<CXXRecordDecl>([&](const auto* r) { translate_record(r); })
-        .Case<EnumDecl>([&](const auto* e) { translate_enum(e); })
+        .Case<CXXRecordDecl>([&](const auto* r) { translate_record(r->getDefinition()); })
+        .Case<EnumDecl>([&](const auto* e) { translate_enum(e->getDefinition()); })
         .Case<VarDecl>([&](const auto* v) { translate_constant(v); });
   }
   check_recursion();
@@ -146,11 +147,11 @@ void translator::translate_function(const FunctionDecl* f) {
   const FunctionDecl* pattern = f->getTemplateInstantiationPattern();
   const FunctionDecl* written = pattern == nullptr ? nullptr : pattern->getDefinition();
   fresh_->defined_at = offset(whole(written == nullptr ? definition : written)->getBeginLoc());
-  reject_any(where, {{f->getReturnType()->isReferenceType(), "reference as a result: return a value"},
-                     {f->isVariadic(), "variadic function"},
-                     {method != nullptr && method->isVirtual(), "virtual function"},
-                     {f->isOverloadedOperator() && operator_name(f).empty(),
-                      "operator overload: call a function instead"}});
+  reject_any(where,
+             {{f->getReturnType()->isReferenceType(), "reference as a result: return a value"},
+              {f->isVariadic(), "variadic function"},
+              {method != nullptr && method->isVirtual(), "virtual function"},
+              {f->isOverloadedOperator() && operator_name(f).empty(), "operator overload: call a function instead"}});
   const std::string result = type_of(f->getReturnType(), where).text();
   std::string list = parameters(definition);
   fresh_->body = glsl(definition->getBody(), position::statement);
@@ -188,13 +189,12 @@ std::string translator::parameters(const FunctionDecl* f) {
 
 void translator::translate_record(const CXXRecordDecl* r) {
   if (is_storage(r) || !begin(r)) return;
-  reject_any(r->getLocation(),
-             {{r->isUnion(), "union"},
-              {r->getNumBases() != 0, "base class"},
-              {r->isPolymorphic(), "virtual function"},
-              {r->hasUserDeclaredConstructor() || r->hasUserDeclaredDestructor(),
-               "struct with a constructor or a destructor: only aggregates are in the subset"},
-              {r->field_empty(), "struct without members"}});
+  reject_any(r->getLocation(), {{r->isUnion(), "union"},
+                                {r->getNumBases() != 0, "base class"},
+                                {r->isPolymorphic(), "virtual function"},
+                                {r->hasUserDeclaredConstructor() || r->hasUserDeclaredDestructor(),
+                                 "struct with a constructor or a destructor: only aggregates are in the subset"},
+                                {r->field_empty(), "struct without members"}});
   std::string text = "struct " + fresh_->name + " {\n";
   for (const FieldDecl* f : r->fields()) {
     reject_any(f->getLocation(), {{f->isBitField(), "bit-field"},
@@ -218,8 +218,7 @@ void translator::translate_enum(const EnumDecl* e) {
   const std::string type = scalar_type(e->getIntegerType(), e->getLocation());
   for (const EnumConstantDecl* c : e->enumerators()) {
     fresh_->declaration += filled("const {0} {1}_{2} = {3}{4};  {5}\n", type, fresh_->name, c->getName(),
-                                  llvm::toString(c->getInitVal(), 10), type == "uint" ? "u" : "",
-                                  doc_beside(c));
+                                  llvm::toString(c->getInitVal(), 10), type == "uint" ? "u" : "", doc_beside(c));
   }
   end(e);
 }

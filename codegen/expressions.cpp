@@ -16,6 +16,11 @@ bool has_size(const Stmt* s) {
 
 namespace {
 
+constexpr CastKind vanishing[] = {CK_LValueToRValue, CK_NoOp, CK_FunctionToPointerDecay, CK_ConstructorConversion,
+                                  CK_UserDefinedConversion};
+constexpr CastKind numeric[] = {CK_IntegralCast, CK_IntegralToFloating, CK_FloatingToIntegral,
+                                CK_FloatingCast, CK_IntegralToBoolean,  CK_FloatingToBoolean};
+
 /// The value of a conversion that vanishes, in the conversion's parentheses where it needs them.
 std::string kept(const CastExpr* c, const std::string& value) {
   const Expr* from = c->getSubExpr();
@@ -80,29 +85,15 @@ std::string translator::conversion(const CastExpr* c, position at) {
     return reject(where, "reinterpret_cast, const_cast and dynamic_cast");
   }
   if (const Expr* span = counted_span(c)) {
-    return type_of(cast<ExplicitCastExpr>(c)->getTypeAsWritten(), where).text() + "(" + cell_macro(span, "_SIZE", "") + ")";
+    return type_of(cast<ExplicitCastExpr>(c)->getTypeAsWritten(), where).text() + "(" + cell_macro(span, "_SIZE", "") +
+           ")";
   }
-  switch (c->getCastKind()) {
-    case CK_LValueToRValue:
-    case CK_NoOp:
-    case CK_FunctionToPointerDecay:
-    case CK_ConstructorConversion:
-    case CK_UserDefinedConversion:
-      return kept(c, glsl(from, at));
-    case CK_IntegralCast:
-    case CK_IntegralToFloating:
-    case CK_FloatingToIntegral:
-    case CK_FloatingCast:
-    case CK_IntegralToBoolean:
-    case CK_FloatingToBoolean:
-      break;
-    case CK_DerivedToBase:
-    case CK_UncheckedDerivedToBase:
-      return reject(where, "base class");
-    default:
-      return reject(where, std::string("conversion ") + c->getCastKindName() + " is not in the subset");
+  const CastKind kind = c->getCastKind();
+  if (llvm::is_contained(vanishing, kind)) return kept(c, glsl(from, at));
+  if (!llvm::is_contained(numeric, kind)) {
+    return reject(where, std::string("conversion ") + c->getCastKindName() + " is not in the subset");
   }
-  if (c->getCastKind() == CK_FloatingCast) {
+  if (kind == CK_FloatingCast) {
     if (!context_.hasSameUnqualifiedType(c->getType(), context_.FloatTy)) {
       return reject(where, "double: the mirror computes in float");
     }
@@ -130,7 +121,8 @@ std::string translator::conversion(const CastExpr* c, position at) {
   const std::string text = glsl(from, at);
   const std::string target = type_of(written, where).text();
   const bool was_enum = was->isEnumeralType();
-  if (was_enum && target == scalar_type(was->castAs<EnumType>()->getDecl()->getIntegerType(), where)) return kept(c, text);
+  if (was_enum && target == scalar_type(was->castAs<EnumType>()->getDecl()->getIntegerType(), where))
+    return kept(c, text);
   return target + "(" + text + ")";
 }
 

@@ -10,8 +10,6 @@
 #include <clang/Lex/Preprocessor.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace pelage::codegen {
 
@@ -36,29 +34,23 @@ unit* headers::unit_of(FileID file) {
                                   : ast_.getPreprocessor().getHeaderSearchInfo().suggestPathToFileForDiagnostics(
                                         entry, ast_.getMainFileName());
   if (header.rfind("glm/", 0) == 0) return nullptr;
-  place->second = make_unit(entry, header);
-  return place->second.get();
-}
-
-std::unique_ptr<unit> headers::make_unit(const FileEntry* entry, const std::string& header) const {
-  auto u = std::make_unique<unit>();
-  u->header = header;
   const bool ours = header.rfind("pelage/", 0) == 0;
   std::filesystem::path path = ours ? header.substr(7) : header;
-  u->path = path.replace_extension("glsl").string();
-  if (!ours || library_) return u;
-  u->include = "pelage/glsl/" + u->path;
-  u->mirrored = true;
-  const std::string name = entry->tryGetRealPathName().str();
-  std::ifstream in(name.substr(0, name.size() - header.size()) + u->include);
-  u->mirror_text.assign(std::istreambuf_iterator<char>(in), {});
-  // A size's macro is the one whose value a shader may use only once.
-  const std::string mark = "_has_one_value_in_a_shader";
-  for (std::size_t end = 0; (end = u->mirror_text.find(mark, end)) != std::string::npos; end += mark.size()) {
-    const std::size_t begin = u->mirror_text.rfind(' ', end) + 1;
-    u->sizes[u->mirror_text.substr(begin, end - begin)];
+  unit& u = *(place->second = std::make_unique<unit>());
+  u.header = header;
+  u.path = path.replace_extension("glsl").string();
+  if (!ours || library_) return &u;
+  u.include = "pelage/glsl/" + u.path;
+  u.mirrored = true;
+  const llvm::StringRef name = entry->tryGetRealPathName();
+  if (const auto mirror = llvm::MemoryBuffer::getFile(name.drop_back(header.size()) + u.include)) {
+    u.mirror_text = (*mirror)->getBuffer().str();
   }
-  return u;
+  // A size's macro is the one whose value a shader may use only once.
+  const std::regex size("(\\w+)_has_one_value_in_a_shader");
+  for (std::sregex_iterator one(u.mirror_text.begin(), u.mirror_text.end(), size), end; one != end; ++one)
+    u.sizes[one->str(1)];
+  return &u;
 }
 
 bool headers::is_named(const Decl* d) {

@@ -4,6 +4,7 @@
 #include "translator.hpp"
 
 #include <clang/Tooling/Tooling.h>
+#include <llvm/ADT/TypeSwitch.h>
 #include <llvm/Support/CommandLine.h>
 
 #include <algorithm>
@@ -21,39 +22,38 @@ using texts = std::vector<std::pair<std::string, std::string>>;  ///< of files, 
 /// itself, all that is no template, and all that is explicitly instantiated.
 void require_roots(const clang::DeclContext* scope, headers& all, translator& t) {
   using namespace clang;
+  const auto with_members = [&](const CXXRecordDecl* r) {
+    t.require(r);
+    require_roots(r, all, t);
+  };
+  const auto is_explicit = [](const auto* d) {
+    return d->getTemplateSpecializationKind() == TSK_ExplicitInstantiationDefinition;
+  };
   for (const Decl* d : scope->decls()) {
-    if (const auto* space = dyn_cast<NamespaceDecl>(d)) {
-      all.note_doc(space);
-      require_roots(space, all, t);
-    } else if (d->isImplicit() || !all.is_named(d)) {
-      continue;
-    } else if (const auto* linkage = dyn_cast<LinkageSpecDecl>(d)) {
-      require_roots(linkage, all, t);
-    } else if (const auto* functions = dyn_cast<FunctionTemplateDecl>(d)) {
-      for (const FunctionDecl* f : functions->specializations()) {
-        if (f->getTemplateSpecializationKind() == TSK_ExplicitInstantiationDefinition) t.require(f);
-      }
-    } else if (const auto* classes = dyn_cast<ClassTemplateDecl>(d)) {
-      for (const ClassTemplateSpecializationDecl* r : classes->specializations()) {
-        if (r->getSpecializationKind() != TSK_ExplicitInstantiationDefinition) continue;
-        t.require(r);
-        require_roots(r, all, t);
-      }
-    } else if (isa<ClassTemplateSpecializationDecl>(d) || isa<VarTemplateSpecializationDecl>(d)) {
-      continue;
-    } else if (const auto* r = dyn_cast<CXXRecordDecl>(d)) {
-      if (!r->isThisDeclarationADefinition() || translator::is_storage(r)) continue;
-      t.require(r);
-      require_roots(r, all, t);
-    } else if (const auto* f = dyn_cast<FunctionDecl>(d)) {
-      const bool special = f->isDefaulted() || f->isDeleted() || isa<CXXConstructorDecl>(f);
-      const bool defined = scope->isRecord() ? f->isDefined() : f->doesThisDeclarationHaveABody();
-      if (f->getDeclContext() == scope && defined && !special) t.require(f);
-    } else if (const auto* v = dyn_cast<VarDecl>(d)) {
-      if (v->isConstexpr() && v->getDescribedVarTemplate() == nullptr) t.require(v);
-    } else if (const auto* e = dyn_cast<EnumDecl>(d)) {
-      t.require(e);
-    }
+    if (const auto* space = dyn_cast<NamespaceDecl>(d)) all.note_doc(space);
+    if (isa<NamespaceDecl, LinkageSpecDecl>(d)) require_roots(cast<DeclContext>(d), all, t);
+    if (d->isImplicit() || !all.is_named(d)) continue;
+    llvm::TypeSwitch<const Decl*>(d)
+        .Case<FunctionTemplateDecl>([&](const auto* functions) {
+          llvm::for_each(llvm::make_filter_range(functions->specializations(), is_explicit),
+                         [&](const auto* f) { t.require(f); });
+        })
+        .Case<ClassTemplateDecl>([&](const auto* classes) {
+          llvm::for_each(llvm::make_filter_range(classes->specializations(), is_explicit), with_members);
+        })
+        .Case<ClassTemplateSpecializationDecl, VarTemplateSpecializationDecl>([](const auto*) {})
+        .Case<CXXRecordDecl>([&](const auto* r) {
+          if (r->isThisDeclarationADefinition() && !translator::is_storage(r)) with_members(r);
+        })
+        .Case<FunctionDecl>([&](const auto* f) {
+          const bool special = f->isDefaulted() || f->isDeleted() || isa<CXXConstructorDecl>(f);
+          const bool defined = scope->isRecord() ? f->isDefined() : f->doesThisDeclarationHaveABody();
+          if (f->getDeclContext() == scope && defined && !special) t.require(f);
+        })
+        .Case<VarDecl>([&](const auto* v) {
+          if (v->isConstexpr() && v->getDescribedVarTemplate() == nullptr) t.require(v);
+        })
+        .Case<EnumDecl>([&](const auto* e) { t.require(e); });
   }
 }
 
@@ -117,9 +117,15 @@ int main(int argc, char** argv) {
   cl::HideUnrelatedOptions(ours);
   cl::ParseCommandLineOptions(argc, argv, "The GLSL of what FILE.cpp instantiates: one .glsl for each header.\n");
 
-  std::vector<std::string> compiler = {"-std=c++20", "-fsyntax-only", "-w", "-DNDEBUG",
-                                       "-DPELAGE_ASSERT(condition)=static_assert(true)", "-resource-dir",
-                                       PELAGE_CLANG_RESOURCE_DIR, "-Xclang", "-detailed-preprocessing-record"};
+  std::vector<std::string> compiler = {"-std=c++20",
+                                       "-fsyntax-only",
+                                       "-w",
+                                       "-DNDEBUG",
+                                       "-DPELAGE_ASSERT(condition)=static_assert(true)",
+                                       "-resource-dir",
+                                       PELAGE_CLANG_RESOURCE_DIR,
+                                       "-Xclang",
+                                       "-detailed-preprocessing-record"};
   for (const std::string& folder : folders)
     compiler.push_back("-I" + folder);
   for (const std::string& macro : macros)

@@ -5,6 +5,8 @@
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclCXX.h>
 
+#include <llvm/ADT/StringSwitch.h>
+
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -71,19 +73,14 @@ std::string preprocessed(const std::string& expression) {
 std::string operator_name(const clang::NamedDecl* d) {
   const auto* f = llvm::dyn_cast<clang::FunctionDecl>(d);
   if (f == nullptr || llvm::isa<clang::CXXMethodDecl>(f)) return {};
-  const bool binary = f->getNumParams() == 2;
-  switch (f->getOverloadedOperator()) {
-    case clang::OO_Plus:
-      return binary ? "add" : "";
-    case clang::OO_Minus:
-      return binary ? "subtract" : "negate";
-    case clang::OO_Star:
-      return binary ? "multiply" : "";
-    case clang::OO_Slash:
-      return "divide";
-    default:
-      return {};
-  }
+  const char* spelled = clang::getOperatorSpelling(f->getOverloadedOperator());
+  return llvm::StringSwitch<std::string>(spelled == nullptr ? "" : std::to_string(f->getNumParams()) + spelled)
+      .Case("2+", "add")
+      .Case("1-", "negate")
+      .Case("2-", "subtract")
+      .Case("2*", "multiply")
+      .Case("2/", "divide")
+      .Default("");
 }
 
 std::string global_name(const clang::NamedDecl* d) {
@@ -111,7 +108,8 @@ std::string bad_name(const std::string& name, bool is_field) {
   return {};
 }
 
-std::string doc_of(const clang::Decl* d) {
+/// The lines of a declaration's documentation.
+static std::string doc_of(const clang::Decl* d) {
   const clang::ASTContext& context = d->getASTContext();
   const clang::RawComment* doc = context.getRawCommentForDeclNoCache(d);
   if (doc == nullptr) return {};

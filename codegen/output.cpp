@@ -19,7 +19,8 @@ constexpr const char* divider =
 /// Lays GLSL out as the headers are laid out.
 std::string formatted(const std::string& code) {
   constexpr const char* layout =
-      "{BasedOnStyle: Google, ColumnLimit: 120, ReflowComments: false, SortIncludes: Never, AllowShortLoopsOnASingleLine: "
+      "{BasedOnStyle: Google, ColumnLimit: 120, ReflowComments: false, SortIncludes: Never, "
+      "AllowShortLoopsOnASingleLine: "
       "false, AllowShortFunctionsOnASingleLine: None, AllowShortIfStatementsOnASingleLine: Never}";
   const auto style = llvm::cantFail(clang::format::getStyle(layout, "mirror.cpp", "none"));
   const clang::tooling::Range all(0, static_cast<unsigned>(code.size()));
@@ -77,7 +78,8 @@ std::string includes_text(const unit& u, problems& found) {
     text += include_line(u, on->include.empty() ? on->path : on->include);
     for (const auto& [macro, value] : bindings) {
       text += filled(
-          "#if {0} != {1}\n#error {2}: {0} is in use with another value, define PELAGE_PREFIX for a second one\n#endif\n",
+          "#if {0} != {1}\n#error {2}: {0} is in use with another value, define PELAGE_PREFIX for a second "
+          "one\n#endif\n",
           macro, preprocessed(value), u.path);
     }
   }
@@ -117,8 +119,9 @@ std::pair<std::string, std::string> prefix_names(const unit& u) {
       if (needed->sized) names.insert(needed->name);
     }
   }
-  std::string define = "\n#ifdef PELAGE_PREFIX\n#define PELAGE_PASTE_(prefix, name) prefix##name\n"
-                       "#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)\n";
+  std::string define =
+      "\n#ifdef PELAGE_PREFIX\n#define PELAGE_PASTE_(prefix, name) prefix##name\n"
+      "#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)\n";
   std::string undefine = "\n#ifdef PELAGE_PREFIX\n";
   for (const std::string& name : names) {
     define += "#define " + name + " PELAGE_PASTE(PELAGE_PREFIX, " + name.substr(name.find('_')) + ")\n";

@@ -68,9 +68,8 @@ std::string macro_name(const parameter& size) {
     if (isa<NamespaceDecl>(space->getDeclContext())) bearer = space;
     for (const Decl* d : space->decls()) {
       const auto* beside = dyn_cast<ClassTemplateDecl>(d);
-      if (beside != nullptr && llvm::any_of(*beside->getTemplateParameters(), [&](const NamedDecl* p) {
-            return is_size(p) && p->getName() == name;
-          })) {
+      if (beside != nullptr && llvm::any_of(*beside->getTemplateParameters(),
+                                            [&](const NamedDecl* p) { return is_size(p) && p->getName() == name; })) {
         bearer = beside->getTemplatedDecl();
       }
     }
@@ -128,10 +127,9 @@ void translator::set_templates(const Decl* d) {
       }
     };
     note(s);
-    if (!values.empty()) {
-      sizes_seen_[s.of->getQualifiedNameAsString()].insert(values);
-      size_places_.try_emplace(s.of->getQualifiedNameAsString(), level->getLocation());
-    }
+    if (values.empty()) continue;
+    const auto seen = sizes_seen_.try_emplace(s.of->getQualifiedNameAsString(), seen_sizes{level->getLocation(), {}});
+    seen.first->second.values.insert(values);
   }
 }
 

@@ -72,7 +72,8 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
   if (name == "store") return filled("atomicExchange({0}, {1})", target, fenced("pelage_release", arg(0), arg(1)));
   if (name == "compare_exchange_strong") {
     // It leaves in `expected` what it found, taken or not: the same as assigning the result.
-    if (at != position::statement) return reject(c->getBeginLoc(), "result of compare_exchange_strong: compare `expected`");
+    if (at != position::statement)
+      return reject(c->getBeginLoc(), "result of compare_exchange_strong: compare `expected`");
     const std::string value = fenced("pelage_release", arg(1), arg(2));
     const std::string found = filled("atomicCompSwap({0}, {1}, {2})", target, arg(0), value);
     return arg(0) + " = " + fenced("pelage_acquire", found, arg(2));

@@ -38,8 +38,7 @@ std::string translator::glsl(const Stmt* s, position at) {
       .Case<FullExpr, MaterializeTemporaryExpr, CXXBindTemporaryExpr>(
           [&](const auto* x) { return glsl(x->getSubExpr(), at); })
       .Case<CXXDefaultArgExpr>([&](const auto* x) { return glsl(x->getExpr(), at); })
-      .Case<SubstNonTypeTemplateParmExpr>(
-          [&](const auto* x) { return size_name(x->getParameter(), x->getBeginLoc()); })
+      .Case<SubstNonTypeTemplateParmExpr>([&](const auto* x) { return size_name(x->getParameter(), x->getBeginLoc()); })
       .Case<IntegerLiteral>([&](const auto* x) { return literal(x, x->getType()); })
       .Case<FloatingLiteral>([&](const auto* x) {
         const bool real = context_.hasSameUnqualifiedType(x->getType(), context_.FloatTy);

@@ -8,9 +8,10 @@
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/StmtCXX.h>
 
+#include <llvm/ADT/MapVector.h>
+#include <llvm/ADT/SetVector.h>
 #include <llvm/ADT/StringExtras.h>
 #include <llvm/ADT/StringSwitch.h>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -71,6 +72,11 @@ class translator {
     bool sized;  ///< by a macro
   };
 
+  struct seen_sizes {
+    clang::SourceLocation first;
+    std::set<std::string> values;
+  };
+
   // declarations.cpp
   void translate_function(const clang::FunctionDecl* f);
   void translate_record(const clang::CXXRecordDecl* r);
@@ -99,6 +105,13 @@ class translator {
   std::optional<array> array_of(clang::QualType t);
 
   // values.cpp
+  std::string spelling(clang::SourceLocation literal) const;
+  std::string literal(const clang::FloatingLiteral* l);
+  std::string literal(const clang::IntegerLiteral* l, clang::QualType as);
+  std::string suffix(clang::QualType integer) const;
+  std::string constant(const clang::Expr* e);
+  std::optional<double> folded(const clang::Expr* e);
+  std::string rounded(const clang::BinaryOperator* x);
   std::string listed(const std::vector<const clang::Expr*>& values);
   std::string initializer_list(const clang::InitListExpr* l);
   std::string construct(const clang::CXXConstructExpr* c);
@@ -124,22 +137,11 @@ class translator {
   std::string reference(const clang::DeclRefExpr* r);
   std::string member(const clang::MemberExpr* m);
 
-  // literals.cpp
-  std::string spelling(clang::SourceLocation literal) const;
-  std::string literal(const clang::FloatingLiteral* l);
-  std::string literal(const clang::IntegerLiteral* l, clang::QualType as);
-  std::string suffix(clang::QualType integer) const;
-  std::string constant(const clang::Expr* e);
-  std::optional<double> folded(const clang::Expr* e);
-  std::string rounded(const clang::BinaryOperator* x);
-
   // calls.cpp
   std::string call(const clang::CallExpr* c, position at);
   std::string operator_call(const clang::CXXOperatorCallExpr* c, position at);
   std::string arguments(const clang::FunctionDecl* f, const std::vector<const clang::Expr*>& args,
                         const clang::Expr* object, const clang::Expr* whole_call, position at);
-
-  // library.cpp
   std::string library_call(const clang::CallExpr* c, const clang::FunctionDecl* f);
 
   // storage.cpp
@@ -171,11 +173,9 @@ class translator {
   problems& found_;
   unit_finder unit_of_;
 
-  std::map<const clang::Decl*, std::unique_ptr<entity>> entities_;  ///< by the pattern's canonical declaration
-  std::set<const clang::Decl*> required_;                           ///< instantiations seen
-  std::deque<const clang::NamedDecl*> waiting_;
-  std::map<std::string, std::set<std::string>> sizes_seen_;  ///< arguments of each template with a size
-  std::map<std::string, clang::SourceLocation> size_places_;
+  llvm::MapVector<const clang::Decl*, std::unique_ptr<entity>> entities_;  ///< by the pattern's canonical declaration
+  llvm::SetVector<const clang::NamedDecl*> required_;                      ///< instantiations
+  std::map<std::string, seen_sizes> sizes_seen_;                           ///< of each template with a size
 
   // Of the definition in hand.
   std::unique_ptr<entity> fresh_;
