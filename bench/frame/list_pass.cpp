@@ -34,7 +34,9 @@ class tile_lists {
       arrived_.push_back({segment, t});
     });
     grouped_.resize(arrived_.size());
-    group_by_pixel(std::span<const std::uint32_t>(pixel_), arrived_, grouped_, std::span(end_));
+    std::fill(end_.begin(), end_.end(), 0);
+    group_by_pixel(std::span<const std::uint32_t>(pixel_), std::span(end_),
+                   [&](std::size_t i, std::size_t place) { grouped_[place] = arrived_[i]; });
     report.fragments += arrived_.size();
     report.bytes =
         std::max(report.bytes, pixel_.size() * sizeof(std::uint32_t) + 2 * arrived_.size() * sizeof(seen_fragment));

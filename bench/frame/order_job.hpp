@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/fragment.hpp>
+#include <pelage/core/lane_moves.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -61,10 +62,9 @@ struct order_job {
   void for_each_visible_lanes(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const {
     from.for_each_lanes(segments, clip, [&](raster::touches found) {
       if (!limit.empty()) {
-        for (std::uint32_t left = found.set; left != 0; left &= left - 1U) {
-          const int k = std::countr_zero(left);
-          if (found.depth.lane[k] >= limit[pixel(found.x[k], found.y[k])]) found.set ^= 1U << k;
-        }
+        const auto inside = found.y * from.from().width + found.x;
+        const auto here = gathered<raster::width>(limit.data(), found.is_set() ? inside : inside - inside);
+        found.set &= ~bits(lane_mask<raster::width>{found.depth.lane >= here.lane});
         if (found.set == 0) return;
       }
       visit(found);

@@ -9,6 +9,14 @@
 
 namespace pelage::frame {
 
+void pixel_visitor::lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
+                               std::span<tail> behind) {
+  for_each_touch(lost, [&](std::size_t k, std::uint32_t segment, int x, int y, const touch& t) {
+    const seen_fragment one{segment, t};
+    lose(x, y, std::span(&one, 1), behind[tail_of[k]]);
+  });
+}
+
 order_report run_order_pass(const raster& from, std::span<const float> limit, const order_options& options,
                             pixel_visitor& visitor) {
   if (std::find(compiled_k.begin(), compiled_k.end(), options.k) == compiled_k.end()) {

@@ -49,6 +49,10 @@ class pixel_visitor {
   /// before finish().
   virtual void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) = 0;
 
+  /// The same for fragments of any pixels, all of one thread; that of lane k goes to the tail behind[tail_of[k]].
+  virtual void lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
+                          std::span<tail> behind);
+
   /// The pixel's fragments, nearest first, and its tail. Once a pixel, pixels without fragments included.
   virtual void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) = 0;
 };

@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,7 +31,30 @@ struct touch_lanes {
   std::uint32_t set;
   typename lanes<W>::integers segment, x, y;
   lanes<W> depth, coverage, along;
+
+  /// A mask of the same bits.
+  [[nodiscard]] typename lanes<W>::integers is_set() const {
+    typename lanes<W>::integers number;
+    for (int k = 0; k < W; ++k)
+      number[k] = k;
+    return ((static_cast<int>(set) >> number) & 1) != 0;
+  }
 };
+
+/// Calls `visit(k, segment, x, y, touch)` for each lane whose bit is set.
+template <int W, class Visit>
+void for_each_touch(const touch_lanes<W>& all, Visit&& visit) {
+  float depth[W];
+  float coverage[W];
+  float along[W];
+  all.depth.store(depth);
+  all.coverage.store(coverage);
+  all.along.store(along);
+  for (std::uint32_t left = all.set; left != 0; left &= left - 1U) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    visit(k, static_cast<std::uint32_t>(all.segment[k]), all.x[k], all.y[k], touch{depth[k], coverage[k], along[k]});
+  }
+}
 
 /// All strands as one view sees them, and the fragments that they leave in its pixels. The same question asked
 /// twice gives the same bits, so that a fragment's depth and coverage need not be kept: its id finds them again.

@@ -25,15 +25,15 @@ struct seen_lanes {
   [[nodiscard]] static seen_lanes load(const seen_fragment* from);
   void store(seen_fragment* to) const;
 
-  /// Writes fragment_of() each.
-  void store_fragments(fragment* to) const;
-
-  /// Bit k is set where a fragment is before lane k's.
-  [[nodiscard]] std::uint32_t behind(fragment last) const;
+  /// Bit k is set where the fragment of that depth_key() and id is before() lane k's.
+  [[nodiscard]] std::uint32_t behind(pack::naturals last_key, pack::naturals last_id) const;
 
   /// Those whose bit is set, in their order.
   [[nodiscard]] seen_lanes packed_left(std::uint32_t set) const;
 };
+
+/// The opacity of each, looked up, times its coverage.
+[[nodiscard]] inline seen_lanes::pack alpha_of(const strands& fibres, const seen_lanes& all);
 
 /// Calls `use(seen_lanes)` until each of the fragments has been in it once. Lanes without one have coverage 0, depth 0
 /// and the id of one of them.
@@ -56,21 +56,12 @@ inline void seen_lanes::store(seen_fragment* to) const {
   store_quads(pack(reinterpret_cast<pack::vector>(id)), depth, coverage, along, reinterpret_cast<float*>(to));
 }
 
-inline void seen_lanes::store_fragments(fragment* to) const {
-  const pack number(reinterpret_cast<pack::vector>(id));
-  zip_low(depth, number).store(reinterpret_cast<float*>(to));
-  zip_high(depth, number).store(reinterpret_cast<float*>(to) + width);
-}
-
-inline std::uint32_t seen_lanes::behind(fragment last) const {
-  // depth_key() and before() of each lane.
+inline std::uint32_t seen_lanes::behind(pack::naturals last_key, pack::naturals last_id) const {
   using naturals = pack::naturals;
   const naturals depth_bits = reinterpret_cast<naturals>(depth.lane);
   const naturals sign = naturals{} + 0x80000000U;
   const naturals flipped = depth_bits >= sign ? ~depth_bits : depth_bits | sign;
   const naturals key = depth_bits == sign ? sign : flipped;
-  const naturals last_key = naturals{} + depth_key(last.depth);
-  const naturals last_id = naturals{} + last.id;
   const auto later = (last_key < key) | ((last_key == key) & (last_id < reinterpret_cast<naturals>(id)));
   return bits(lane_mask<width>{later});
 }
@@ -81,30 +72,25 @@ inline seen_lanes seen_lanes::packed_left(std::uint32_t set) const {
           pelage::packed_left(set, along)};
 }
 
+inline seen_lanes::pack alpha_of(const strands& fibres, const seen_lanes& all) {
+  if (fibres.same_opacity) return seen_lanes::pack(*fibres.same_opacity) * all.coverage;
+  seen_lanes::pack opacity;
+  for (int k = 0; k < seen_lanes::width; ++k)
+    opacity.lane[k] = fibres.mix(fibres.opacity, static_cast<std::uint32_t>(all.id[k]), all.along.lane[k]);
+  return opacity * all.coverage;
+}
+
 template <class Use>
 void for_each_lanes(std::span<const seen_fragment> all, Use&& use) {
   constexpr std::size_t width = seen_lanes::width;
   const std::size_t whole = all.size() / width * width;
   for (std::size_t i = 0; i < whole; i += width)
     use(seen_lanes::load(&all[i]));
-  const std::size_t rest = all.size() - whole;
-  if (rest == 0) return;
+  const std::span<const seen_fragment> rest = all.subspan(whole);
+  if (rest.empty()) return;
   std::array<seen_fragment, width> few;
-  const seen_fragment* last = few.data();
-  if (whole > 0) {
-    last = &all[all.size() - width];  // those seen before lose their coverage
-  } else {
-    std::copy(all.begin(), all.end(), std::fill_n(few.begin(), width - rest, all[0]));
-  }
-  seen_lanes f = seen_lanes::load(last);
-  using pack = seen_lanes::pack;
-  pack number;
-  for (int k = 0; k < seen_lanes::width; ++k)
-    number.lane[k] = static_cast<float>(k);
-  const lane_mask<seen_lanes::width> seen = number < pack(static_cast<float>(width - rest));
-  f.depth = select(seen, pack(0.0F), f.depth);
-  f.coverage = select(seen, pack(0.0F), f.coverage);
-  use(f);
+  std::fill(std::copy(rest.begin(), rest.end(), few.begin()), few.end(), seen_fragment{rest[0].id, {0.0F, 0.0F, 0.0F}});
+  use(seen_lanes::load(few.data()));
 }
 
 }  // namespace pelage::frame

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/shaded_fibres.hpp"
 
+#include <pelage/core/lane_moves.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace pelage::frame {
 namespace {
 
 constexpr std::uint32_t most_intervals = 64;
-constexpr std::uint32_t block = 512;  ///< segments that one task shades
+constexpr std::uint32_t block = 32;  ///< segments whose shadows are fetched together
 
 }  // namespace
 
@@ -38,18 +39,16 @@ shaded_fibres::shaded_fibres(const scene& world, const raster& from, std::span<c
     before = after;
   }
   place_.resize(next);
-  tbb::parallel_for(0U, (segments + block - 1) / block,
-                    [&](std::uint32_t b) { shade(b * block, std::min((b + 1) * block, segments)); });
-}
-
-void shaded_fibres::shade(std::uint32_t begin, std::uint32_t end) {
-  std::vector<lit_place> asked;
-  std::uint32_t first = 0;
-  for_each_place(begin, end, [&](std::uint32_t place, std::uint32_t segment, float along) {
-    if (asked.empty()) first = place;
-    asked.push_back(place_on(segment, along));
+  tbb::parallel_for(0U, (segments + block - 1) / block, [&](std::uint32_t b) {
+    const std::uint32_t begin = b * block;
+    const std::uint32_t end = std::min(begin + block, segments);
+    for (const int step : {0, 1})
+      for_each_place(begin, end, [&](std::uint32_t, std::uint32_t s, float along) {
+        world_.prefetch(fibres.mix(fibres.point, s, along), step);
+      });
+    for_each_place(begin, end,
+                   [&](std::uint32_t place, std::uint32_t s, float along) { place_[place] = evaluate(s, along); });
   });
-  world_.fibre_radiance(asked, std::span(place_).subspan(first, asked.size()));
 }
 
 template <class Visit>
@@ -71,26 +70,58 @@ std::uint32_t shaded_fibres::intervals(std::uint32_t segment, float spacing) con
   return count > 1.0F ? static_cast<std::uint32_t>(std::min(count, static_cast<float>(most_intervals))) : 1;
 }
 
-lit_place shaded_fibres::place_on(std::uint32_t segment, float along) const {
+glm::vec3 shaded_fibres::evaluate(std::uint32_t segment, float along) const {
   const view& eye = from_.from();
   const glm::vec3 way = eye.eye - world_.fibres.mix(world_.fibres.point, segment, along);
   const float length2 = glm::dot(way, way);
   const bool has_direction = eye.perspective && length2 > 0.0F;
-  return {segment, along,
-          has_direction ? way / std::sqrt(length2) : eye.direction_to_world(glm::vec3(0.0F, 0.0F, 1.0F))};
+  const glm::vec3 to_eye =
+      has_direction ? way / std::sqrt(length2) : eye.direction_to_world(glm::vec3(0.0F, 0.0F, 1.0F));
+  return world_.fibre_radiance(segment, along, to_eye);
 }
 
 glm::vec3 shaded_fibres::at(std::uint32_t segment, float along) const {
-  if (first_.empty()) {
-    const lit_place alone = place_on(segment, along);
-    return world_.fibre_radiance(segment, along, alone.to_eye);
-  }
+  if (first_.empty()) return evaluate(segment, along);
   const std::uint32_t point = from_.fibres().segment[segment];
   const std::uint32_t first = first_[point];
   const std::uint32_t count = first_[point + 1] - first;
   const float position = along * static_cast<float>(count);
   const std::uint32_t before = std::min(static_cast<std::uint32_t>(position), count - 1);
   return glm::mix(place_[first + before], place_[first + before + 1], position - static_cast<float>(before));
+}
+
+lane_points<seen_lanes::width> shaded_fibres::at(const seen_lanes& all) const {
+  using pack = seen_lanes::pack;
+  using integers = seen_lanes::integers;
+  if (first_.empty()) {
+    lane_points<seen_lanes::width> found;
+    for (int k = 0; k < seen_lanes::width; ++k) {
+      const glm::vec3 one = at(static_cast<std::uint32_t>(all.id[k]), all.along.lane[k]);
+      found.x.lane[k] = one.x;
+      found.y.lane[k] = one.y;
+      found.z.lane[k] = one.z;
+    }
+    return found;
+  }
+  const auto look_up = [](const std::vector<std::uint32_t>& table, integers at) {
+    return reinterpret_cast<integers>(
+        gathered<seen_lanes::width>(reinterpret_cast<const float*>(table.data()), at).lane);
+  };
+  const integers point = look_up(from_.fibres().segment, all.id);
+  const integers first = look_up(first_, point);
+  const integers count = look_up(first_, point + 1) - first;
+  const pack position = all.along * pack(__builtin_convertvector(count, pack::vector));
+  const integers whole = __builtin_convertvector(position.lane, integers);
+  const integers before = whole < count - 1 ? whole : count - 1;
+  const pack after_share = position - pack(__builtin_convertvector(before, pack::vector));
+  const pack before_share = pack(1.0F) - after_share;
+  const integers member = (first + before) * 3;
+  const float* const radiance = &place_.data()->x;
+  const auto mixed = [&](int channel) {
+    return gathered<seen_lanes::width>(radiance, member + channel) * before_share +
+           gathered<seen_lanes::width>(radiance, member + (channel + 3)) * after_share;
+  };
+  return {mixed(0), mixed(1), mixed(2)};
 }
 
 std::size_t shaded_fibres::bytes() const {

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/coverage/coverage_lanes.hpp>
+
 #include <glm/glm.hpp>
 #include <cstdint>
 #include <span>
@@ -8,6 +10,7 @@
 
 #include "frame/raster.hpp"
 #include "frame/scene.hpp"
+#include "frame/seen_lanes.hpp"
 
 namespace pelage::frame {
 
@@ -25,19 +28,20 @@ class shaded_fibres {
   /// Linear RGB at a place on a segment, where it leaves a fragment before the limit.
   [[nodiscard]] glm::vec3 at(std::uint32_t segment, float along) const;
 
+  /// The same for each of a vector's fragments.
+  [[nodiscard]] lane_points<seen_lanes::width> at(const seen_lanes& all) const;
+
   /// Evaluations that the constructor made.
   [[nodiscard]] std::size_t evaluations() const { return place_.size(); }
   [[nodiscard]] std::size_t bytes() const;
 
  private:
   [[nodiscard]] std::uint32_t intervals(std::uint32_t segment, float spacing) const;
-  void shade(std::uint32_t begin, std::uint32_t end);
-
-  /// Calls `visit(place, segment, along)` for the places of segments [begin, end), in order and without gaps.
+  /// Calls `visit(place, segment, along)` for the places of segments [begin, end).
   template <class Visit>
   void for_each_place(std::uint32_t begin, std::uint32_t end, Visit&& visit) const;
 
-  [[nodiscard]] lit_place place_on(std::uint32_t segment, float along) const;
+  [[nodiscard]] glm::vec3 evaluate(std::uint32_t segment, float along) const;
 
   const scene& world_;
   const raster& from_;

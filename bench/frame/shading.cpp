@@ -3,6 +3,11 @@
 #include "frame/shading.hpp"
 
 #include <pelage/composite/radiance.hpp>
+#include <pelage/composite/tail_lanes.hpp>
+
+#include <bit>
+
+#include "frame/seen_lanes.hpp"
 
 namespace pelage::frame {
 
@@ -26,6 +31,18 @@ void camera_film::lose(int x, int y, std::span<const seen_fragment> lost, tail& 
   const std::size_t pixel = index(x, y);
   for (const seen_fragment& f : lost)
     behind = add_fragment(behind, opacity(f) * visible_coverage(pixel, f.where), shades_.at(f.id, f.where.along));
+}
+
+void camera_film::lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
+                             std::span<tail> behind) {
+  seen_lanes::pack share(1.0F);
+  for_each_touch(lost, [&](std::size_t k, std::uint32_t, int x, int y, const touch& where) {
+    share.lane[k] = behind_.share_behind(index(x, y), where.depth);
+  });
+  const auto any = seen_lanes::integers{} + lost.segment[std::countr_zero(lost.set)];
+  const seen_lanes f{lost.is_set() ? lost.segment : any, lost.depth, lost.coverage * share, lost.along};
+  const seen_lanes::pack alpha = has_translucency(shown_) ? alpha_of(from_.fibres(), f) : f.coverage;
+  add_fragments(alpha, shades_.at(f), lost.set, tail_of, behind);
 }
 
 void camera_film::finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) {

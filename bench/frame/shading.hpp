@@ -41,6 +41,8 @@ class camera_film final : public pixel_visitor {
 
   void expect(std::span<const std::uint32_t> fragments_per_pixel) override { (void)fragments_per_pixel; }
   void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) override;
+  void lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
+                  std::span<tail> behind) override;
   void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override;
 
   /// For methods that blend in another way than finish(): a pixel's fragments as layers, what is seen behind them, and

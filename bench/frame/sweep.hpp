@@ -81,17 +81,8 @@ void raster::for_each_lanes(std::span<const std::uint32_t> segments, const pixel
 template <class Visit>
 void raster::for_each(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const {
   for_each_lanes(segments, clip, [&](const touches& found) {
-    float depth[width];
-    float coverage[width];
-    float along[width];
-    found.depth.store(depth);
-    found.coverage.store(coverage);
-    found.along.store(along);
-    for (std::uint32_t left = found.set; left != 0; left &= left - 1U) {
-      const int k = std::countr_zero(left);
-      visit(static_cast<std::uint32_t>(found.segment[k]), found.x[k], found.y[k],
-            touch{depth[k], coverage[k], along[k]});
-    }
+    for_each_touch(found,
+                   [&](std::size_t, std::uint32_t segment, int x, int y, const touch& t) { visit(segment, x, y, t); });
   });
 }
 

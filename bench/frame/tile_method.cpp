@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "frame/group_by_pixel.hpp"
@@ -19,26 +20,36 @@
 namespace pelage::frame {
 namespace {
 
-/// What one thread needs for a tile. Fragments are gathered, without regard to pixels, in an array of fixed size;
-/// whenever it is full, and at the end, they are put in order by pixel, and each pixel keeps the K nearest.
+/// What one thread needs for a tile. Fragments are gathered in an array of fixed size; whenever it is full, and at the
+/// end, the last of each pixel's K nearest is found, and those behind it go to the tail, in the order in which they
+/// came: one strand's fragments, which share what is looked up for them, are still together. Later ones behind it go
+/// there at once.
 template <std::uint32_t K>
 class tile_worker {
  public:
   std::uint64_t fragments = 0;
   std::uint64_t behind = 0;
+  std::uint64_t refused = 0;
   std::uint32_t longest = 0;
 
   void run(const order_job& work, const pixel_rect& rect, std::span<const std::uint32_t> segments) {
     std::fill(count_.begin(), count_.end(), 0);
     std::fill(held_.begin(), held_.end(), 0);
+    std::fill(last_key_.begin(), last_key_.end(), depth_key(no_fragment().depth));
+    std::fill(last_id_.begin(), last_id_.end(), no_fragment().id);
     std::fill(behind_.begin(), behind_.end(), empty_tail());
-    work.for_each_visible_lanes(segments, rect, [&](const raster::touches& found) {
-      const auto pixel = (found.y - rect.y0) * tiles::side + (found.x - rect.x0);
+    knows_last_ = false;
+    work.for_each_visible_lanes(segments, rect, [&](raster::touches found) {
+      const std::uint32_t nan = found.set & ~bits(found.depth < floats(std::numeric_limits<float>::infinity()));
+      refused += static_cast<std::uint64_t>(std::popcount(nan));
+      found.set &= ~nan;
+      const integers pixel =
+          ((found.y - rect.y0) * tiles::side + (found.x - rect.x0)) & static_cast<int>(pixels - 1);  // unset lanes, too
+      if (knows_last_) found.set &= ~lose_behind(work, found, pixel);
       const floats left = packed_left(found.set, floats(reinterpret_cast<floats::vector>(pixel)));
-      const auto narrow = __builtin_convertvector(reinterpret_cast<floats::integers>(left.lane), pixel_numbers);
+      const auto narrow = __builtin_convertvector(reinterpret_cast<integers>(left.lane), pixel_numbers);
       __builtin_memcpy(&pixel_of_[arrived_count_], &narrow, sizeof(narrow));
-      const seen_lanes seen{found.segment, found.depth, found.coverage, found.along};
-      seen.packed_left(found.set).store(&arrived_[arrived_count_]);
+      seen_of(found).packed_left(found.set).store(&arrived_[arrived_count_]);
       arrived_count_ += static_cast<std::size_t>(std::popcount(found.set));
       if (arrived_count_ >= capacity) flush(work, rect);
     });
@@ -50,73 +61,101 @@ class tile_worker {
   }
 
   [[nodiscard]] static constexpr std::size_t bytes() {
-    return capacity * (sizeof(std::uint16_t) + 2 * sizeof(seen_fragment) + sizeof(fragment) + sizeof(seen_fragment)) +
-           pixels * (K * sizeof(seen_fragment) + 3 * sizeof(std::uint32_t) + sizeof(tail));
+    return capacity * (sizeof(std::uint16_t) + sizeof(seen_fragment) + sizeof(fragment)) +
+           pixels * (K * (sizeof(seen_fragment) + sizeof(fragment)) + 5 * sizeof(std::uint32_t) + sizeof(tail));
   }
 
  private:
   using floats = seen_lanes::pack;
+  using integers = floats::integers;
+  using naturals = floats::naturals;
   typedef std::uint16_t pixel_numbers __attribute__((vector_size(2 * seen_lanes::width)));
 
   static constexpr std::size_t pixels = static_cast<std::size_t>(tiles::side) * tiles::side;
   static constexpr std::size_t capacity = std::size_t{1} << 15;
   static constexpr std::size_t width = seen_lanes::width;  ///< so many more are written, the last in vain
 
-  void flush(const order_job& work, const pixel_rect& rect) {
-    group_by_pixel(std::span<const std::uint16_t>(pixel_of_).first(arrived_count_),
-                   std::span(arrived_).first(arrived_count_), by_pixel_, std::span(end_));
-    arrived_count_ = 0;
-
-    std::uint32_t begin = 0;
-    for (std::size_t p = 0; p < pixels; ++p) {
-      const std::uint32_t end = end_[p];
-      if (end > begin) keep_nearest(work, rect, p, std::span(by_pixel_).subspan(begin, end - begin));
-      begin = end;
-    }
+  [[nodiscard]] static seen_lanes seen_of(const raster::touches& t) {
+    return {t.segment, t.depth, t.coverage, t.along};
   }
 
-  /// Of the fragments that the pixel holds and the new ones, keeps the K nearest, in no order.
-  void keep_nearest(const order_job& work, const pixel_rect& rect, std::size_t p,
-                    std::span<const seen_fragment> arrived) {
-    const std::span<seen_fragment> kept = std::span(kept_).subspan(p * K, K);
-    const std::uint32_t held = held_[p];
-    count_[p] += static_cast<std::uint32_t>(arrived.size());
-    if (held + arrived.size() <= K) {
-      std::copy(arrived.begin(), arrived.end(), kept.begin() + held);
-      held_[p] += static_cast<std::uint32_t>(arrived.size());
-      return;
-    }
-    std::size_t count = 0;
-    for (const std::span<const seen_fragment> some : {std::span<const seen_fragment>(kept.first(held)), arrived}) {
-      for (std::size_t i = 0; i < some.size(); i += width)
-        seen_lanes::load(&some[i]).store_fragments(&all_[count + i]);
-      count += some.size();
-    }
-    std::array<fragment, K> nearest;
-    k_select<K>({all_.data(), count}, std::span(nearest));
+  [[nodiscard]] static naturals gathered_words(const std::vector<std::uint32_t>& from, integers at) {
+    return reinterpret_cast<naturals>(
+        gathered<seen_lanes::width>(reinterpret_cast<const float*>(from.data()), at).lane);
+  }
 
-    std::array<seen_fragment, K + width> stay;
-    std::size_t staying = 0;
-    std::size_t going = 0;
-    const auto sort_out = [&](std::span<const seen_fragment> some) {
-      for (std::size_t i = 0; i < some.size(); i += width) {
-        const std::uint32_t all =
-            i + width <= some.size() ? all_bits<seen_lanes::width>() : (1U << (some.size() - i)) - 1U;
-        const seen_lanes f = seen_lanes::load(&some[i]);
-        const std::uint32_t goes = f.behind(nearest[K - 1]) & all;
-        f.packed_left(all & ~goes).store(&stay[staying]);
-        f.packed_left(goes).store(&lost_[going]);
-        staying += static_cast<std::size_t>(std::popcount(all & ~goes));
-        going += static_cast<std::size_t>(std::popcount(goes));
+  /// Hands on the fragments that are behind the last of their pixel's K nearest; returns their bits.
+  std::uint32_t lose_behind(const order_job& work, raster::touches all, integers pixel) {
+    all.set &= seen_of(all).behind(gathered_words(last_key_, pixel), gathered_words(last_id_, pixel));
+    if (all.set == 0) return 0;
+    std::array<std::uint32_t, width> tail_of;
+    __builtin_memcpy(tail_of.data(), &pixel, sizeof(pixel));
+    for (std::uint32_t left = all.set; left != 0; left &= left - 1U)
+      ++count_[tail_of[static_cast<std::size_t>(std::countr_zero(left))]];
+    work.visitor.lose_lanes(all, tail_of, behind_);
+    return all.set;
+  }
+
+  void flush(const order_job& work, const pixel_rect& rect) {
+    const std::span<const std::uint16_t> pixel_of = std::span(pixel_of_).first(arrived_count_);
+    std::copy(held_.begin(), held_.end(), end_.begin());
+    group_by_pixel(pixel_of, std::span(end_),
+                   [&](std::size_t i, std::uint32_t place) { by_pixel_[place] = fragment_of(arrived_[i]); });
+    std::uint32_t begin = 0;
+    for (std::size_t p = 0; p < pixels; ++p) {
+      const std::uint32_t held = held_[p];
+      if (end_[p] > begin) find_last(work, rect, p, std::span(by_pixel_).subspan(begin, end_[p] + held - begin));
+      begin = end_[p] + held;
+    }
+    knows_last_ = true;
+
+    for (std::size_t i = 0; i < arrived_count_; i += width) {
+      const std::size_t some = std::min(arrived_count_ - i, width);
+      pixel_numbers narrow;
+      __builtin_memcpy(&narrow, &pixel_of_[i], sizeof(narrow));
+      const integers pixel = __builtin_convertvector(narrow, integers) & static_cast<int>(pixels - 1);
+      const seen_lanes f = seen_lanes::load(&arrived_[i]);
+      const std::uint32_t all = (2U << (some - 1)) - 1U;
+      const std::uint32_t lost = lose_behind(
+          work, {all, f.id, pixel % tiles::side + rect.x0, pixel / tiles::side + rect.y0, f.depth, f.coverage, f.along},
+          pixel);
+      for (std::uint32_t left = all & ~lost; left != 0; left &= left - 1U) {
+        const std::size_t k = i + static_cast<std::size_t>(std::countr_zero(left));
+        const std::size_t p = pixel_of_[k];
+        kept_[p * K + held_[p]++] = arrived_[k];
       }
-    };
-    sort_out(kept.first(held));
-    sort_out(arrived);
-    std::copy_n(stay.begin(), K, kept.begin());
-    held_[p] = K;
+    }
+    arrived_count_ = 0;
+  }
+
+  /// `all`: the new fragments, and room for those that the pixel holds. Finds the last of the K nearest, and lets go of
+  /// what it held behind that one.
+  void find_last(const order_job& work, const pixel_rect& rect, std::size_t p, std::span<fragment> all) {
+    const std::span<seen_fragment> kept = std::span(kept_).subspan(p * K, held_[p]);
+    if (all.size() < K) return;
+    std::transform(kept.begin(), kept.end(), all.end() - static_cast<std::ptrdiff_t>(kept.size()), fragment_of);
+    std::array<fragment, K> nearest;
+    k_select<K>(all, std::span(nearest));
+    const fragment last = nearest[K - 1];
+    last_key_[p] = depth_key(last.depth);
+    last_id_[p] = last.id;
+
+    std::array<seen_fragment, K> lost;
+    std::size_t going = 0;
+    std::size_t staying = 0;
+    for (const seen_fragment& f : kept) {
+      const bool goes = before(last, fragment_of(f));
+      lost[going] = f;
+      kept[staying] = f;
+      going += goes ? 1U : 0U;
+      staying += goes ? 0U : 1U;
+    }
+    held_[p] = static_cast<std::uint32_t>(staying);
+    count_[p] += static_cast<std::uint32_t>(going);
+    if (going == 0) return;
     const int side = tiles::side;
     work.visitor.lose(rect.x0 + static_cast<int>(p) % side, rect.y0 + static_cast<int>(p) / side,
-                      std::span(lost_).first(going), behind_[p]);
+                      std::span(lost).first(going), behind_[p]);
   }
 
   /// Puts what the pixel holds in order: a fragment's place is the number of those before it.
@@ -134,22 +173,24 @@ class tile_worker {
     std::array<seen_fragment, K> sorted;
     for (std::size_t i = 0; i < kept.size(); ++i)
       sorted[place[i]] = kept[i];
-    fragments += count_[p];
-    behind += count_[p] - kept.size();
-    longest = std::max(longest, count_[p]);
+    const std::uint32_t count = count_[p] + held_[p];
+    fragments += count;
+    behind += count_[p];
+    longest = std::max(longest, count);
     work.visitor.finish(x, y, std::span(sorted).first(kept.size()), behind_[p]);
   }
 
+  bool knows_last_ = false;  ///< of any pixel's K nearest
   std::size_t arrived_count_ = 0;
   std::vector<std::uint16_t> pixel_of_ = std::vector<std::uint16_t>(capacity + width);
   std::vector<seen_fragment> arrived_ = std::vector<seen_fragment>(capacity + width);
-  std::vector<seen_fragment> by_pixel_ = std::vector<seen_fragment>(capacity + width);
-  std::vector<fragment> all_ = std::vector<fragment>(capacity + K + width);
-  std::vector<seen_fragment> lost_ = std::vector<seen_fragment>(capacity + K + 2 * width);
-  std::vector<std::uint32_t> end_ = std::vector<std::uint32_t>(pixels);    ///< where each pixel's arrivals end
-  std::vector<std::uint32_t> count_ = std::vector<std::uint32_t>(pixels);  ///< of all its fragments
-  std::vector<std::uint32_t> held_ = std::vector<std::uint32_t>(pixels);   ///< of those, kept
-  std::vector<seen_fragment> kept_ = std::vector<seen_fragment>(pixels * K + width);
+  std::vector<fragment> by_pixel_ = std::vector<fragment>(capacity + width + pixels * K);
+  std::vector<std::uint32_t> end_ = std::vector<std::uint32_t>(pixels);       ///< where each pixel's arrivals end
+  std::vector<std::uint32_t> count_ = std::vector<std::uint32_t>(pixels);     ///< of its fragments, lost
+  std::vector<std::uint32_t> held_ = std::vector<std::uint32_t>(pixels);      ///< of them, kept
+  std::vector<std::uint32_t> last_key_ = std::vector<std::uint32_t>(pixels);  ///< depth_key() of the K-th nearest
+  std::vector<std::uint32_t> last_id_ = std::vector<std::uint32_t>(pixels);   ///< and its id
+  std::vector<seen_fragment> kept_ = std::vector<seen_fragment>(pixels * K);
   std::vector<tail> behind_ = std::vector<tail>(pixels);
 };
 
@@ -164,6 +205,7 @@ void run_tiles(order_job& work) {
   for (const tile_worker<K>& one : workers) {
     work.report.fragments += one.fragments;
     work.report.behind += one.behind;
+    work.report.refused += one.refused;
     work.report.longest = std::max(work.report.longest, one.longest);
   }
   work.report.bytes = bins.bytes() + workers.size() * tile_worker<K>::bytes();

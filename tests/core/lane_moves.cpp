@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 
 namespace pelage::test {
 
@@ -46,10 +47,14 @@ void check_moves_of_one() {
   RC_ASSERT(words_of(picked(packed<W>(x.data()), numbers)) == picks);
   const auto same = picked_integers<W>(std::bit_cast<typename lanes<W>::integers>(x), numbers);
   RC_ASSERT((std::bit_cast<std::array<std::uint32_t, W>>(same) == picks));
+  std::array<float, W> table;
+  std::memcpy(table.data(), x.data(), sizeof(table));
+  const auto at = std::bit_cast<typename lanes<W>::integers>(from) & (W - 1);
+  RC_ASSERT(words_of(gathered<W>(table.data(), at)) == picks);
   RC_ASSERT(words_of(packed_left(set, packed<W>(x.data()))) == left);
 }
 
-TEST_CASE("lanes are picked by number, modulo the width, and packed to the left in their order") {
+TEST_CASE("lanes are picked by number, modulo the width, gathered from memory, and packed to the left in their order") {
   holds("4 lanes", check_moves_of_one<4>);
   holds("8 lanes", check_moves_of_one<8>);
   holds("16 lanes", check_moves_of_one<16>);

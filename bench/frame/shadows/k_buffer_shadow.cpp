@@ -29,6 +29,20 @@ void k_buffer_shadow::lose(int x, int y, std::span<const seen_fragment> lost, ta
     t.farthest = std::max(t.farthest, farthest.lane[k]);
 }
 
+void k_buffer_shadow::lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
+                                 std::span<tail> behind) {
+  const seen_lanes f{lost.segment, lost.depth, lost.coverage, lost.along};
+  const auto optical = optical_depth(alpha(f));
+  const auto coverage = to_fixed(f.coverage);
+  for_each_touch(lost, [&](std::size_t k, std::uint32_t, int x, int y, const touch& where) {
+    tail& t = behind[tail_of[k]];
+    t.optical = add_saturating(t.optical, optical.lane[k]);
+    t.weight = add_saturating(t.weight, coverage.lane[k]);
+    float& farthest = texel_[index(x, y)].farthest;
+    farthest = std::max(farthest, where.depth);
+  });
+}
+
 void k_buffer_shadow::finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) {
   texel& t = texel_[index(x, y)];
   t.behind = behind.optical;
@@ -66,18 +80,16 @@ float k_buffer_shadow::optical_before(std::size_t t, float depth) const {
   return static_cast<float>(optical);
 }
 
-void k_buffer_shadow::prefetch_texels(std::size_t t, int step) const {
+void k_buffer_shadow::prefetch_texel(std::size_t t, int step) const {
   constexpr std::size_t line = 64 / sizeof(entry);
   constexpr std::size_t most = 4 * line;
-  for (const texel* one : {&texel_[t], &texel_[t + 1]}) {
-    if (step == 0) {
-      __builtin_prefetch(one);
-      continue;
-    }
-    const std::span<const entry> kept = one->nearest;
-    for (std::size_t i = 0; i < std::min(kept.size(), most); i += line)
-      __builtin_prefetch(&kept[i]);
+  if (step == 0) {
+    __builtin_prefetch(&texel_[t]);
+    return;
   }
+  const std::span<const entry> kept = texel_[t].nearest;
+  for (std::size_t i = 0; i < std::min(kept.size(), most); i += line)
+    __builtin_prefetch(&kept[i]);
 }
 
 std::uint64_t k_buffer_shadow::texel_bytes() const {

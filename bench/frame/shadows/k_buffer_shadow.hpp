@@ -22,6 +22,8 @@ class k_buffer_shadow final : public shadow_map, public pixel_visitor {
 
   void expect(std::span<const std::uint32_t>) override {}
   void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) override;
+  void lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
+                  std::span<tail> behind) override;
   void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override;
 
  private:
@@ -37,7 +39,7 @@ class k_buffer_shadow final : public shadow_map, public pixel_visitor {
 
   [[nodiscard]] float optical_before(std::size_t texel, float depth) const override;
   [[nodiscard]] std::uint64_t texel_bytes() const override;
-  void prefetch_texels(std::size_t texel, int step) const override;
+  void prefetch_texel(std::size_t texel, int step) const override;
 
   std::vector<texel> texel_;
   array_pool<entry> entries_;

@@ -18,6 +18,10 @@ template <int W>
 [[nodiscard, gnu::always_inline]] inline typename lanes<W>::integers picked_integers(
     typename lanes<W>::integers x, typename lanes<W>::integers from) noexcept;
 
+/// Lane k of the result is `from[at[k]]`.
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W> gathered(const float* from, typename lanes<W>::integers at) noexcept;
+
 /// The lanes whose bit is set, moved to the front in their order; 0 behind them.
 template <int W>
 [[nodiscard, gnu::always_inline]] inline lanes<W> packed_left(std::uint32_t set, lanes<W> x) noexcept;
@@ -81,6 +85,21 @@ template <int W>
 typename lanes<W>::integers picked_integers(typename lanes<W>::integers x, typename lanes<W>::integers from) noexcept {
   const lanes<W> same_bits(reinterpret_cast<typename lanes<W>::vector>(x));
   return reinterpret_cast<typename lanes<W>::integers>(picked(same_bits, from).lane);
+}
+
+template <int W>
+lanes<W> gathered(const float* from, typename lanes<W>::integers at) noexcept {
+#if defined(__AVX512F__)
+  if constexpr (W == 16) {
+    return lanes<W>(
+        typename lanes<W>::vector(_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xffff, __m512i(at), from, 4)));
+  }
+#endif
+  lanes<W> result;
+  for (int k = 0; k < W; ++k) {
+    result.lane[k] = from[at[k]];
+  }
+  return result;
 }
 
 template <int W>

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/composite/optical_depth_lanes.hpp>
+#include <pelage/composite/tail.hpp>
+#include <pelage/core/lane_moves.hpp>
+#include <pelage/coverage/coverage_lanes.hpp>
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace pelage {
+
+/// add_fragment() for W fragments at once, on the CPU: the fragment of each lane whose bit is set goes to the tail
+/// behind[tail_of[k]]. The same tails, bit for bit.
+template <int W>
+[[gnu::always_inline]] inline void add_fragments(lanes<W> alpha, const lane_points<W>& colour, std::uint32_t set,
+                                                 const std::array<std::uint32_t, std::size_t{W}>& tail_of,
+                                                 std::span<tail> behind) noexcept;
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <int W>
+void add_fragments(lanes<W> alpha, const lane_points<W>& colour, std::uint32_t set,
+                   const std::array<std::uint32_t, std::size_t{W}>& tail_of, std::span<tail> behind) noexcept {
+  const lanes<W> held = detail::saturate(alpha);
+  const auto as_floats = [](lane_numbers<W> x) {
+    return lanes<W>(reinterpret_cast<typename lanes<W>::vector>(x.lane));
+  };
+  alignas(64) float words[4 * W];
+  store_quads(as_floats(optical_depth(held)), as_floats(to_fixed(held)), as_floats(to_fixed(held * colour.x)),
+              as_floats(to_fixed(held * colour.y)), words);
+  const auto blue = to_fixed(held * colour.z);
+  for (std::uint32_t left = set; left != 0u; left &= left - 1u) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    tail& t = behind[tail_of[k]];
+    lane_numbers<4> sum, one;  // all members but blue
+    __builtin_memcpy(&one.lane, words + 4u * k, sizeof(one.lane));
+    __builtin_memcpy(&sum.lane, &t, sizeof(sum.lane));
+    sum = add_saturating(sum, one);
+    __builtin_memcpy(&t, &sum.lane, sizeof(sum.lane));
+    t.blue = add_saturating(t.blue, blue.lane[k]);
+  }
+}
+
+}  // namespace pelage
