@@ -15,35 +15,38 @@ backdrop::backdrop(const view& eye, const scene& world, bool antialias)
   limit_.resize(picture_.pixels.size());
   sample_depth_.resize(static_cast<std::size_t>(side_ * side_) * limit_.size());
   tbb::parallel_for(0, picture_.height, [&](int y) {
-    for (int x = 0; x < picture_.width; ++x)
+    for (int x = 0; x < picture_.width; x += wide_width)
       see(eye, world, x, y);
   });
 }
 
 void backdrop::see(const view& eye, const scene& world, int x, int y) {
   const int samples = side_ * side_;
-  const std::size_t pixel = static_cast<std::size_t>(y * picture_.width + x);
-  float* depth = sample_depth_.data() + static_cast<std::size_t>(samples) * pixel;
-  glm::vec3 sum(0.0F);
+  const auto offset = [this](int sample) { return (static_cast<float>(sample) + 0.5F) / static_cast<float>(side_); };
+  const int count = std::min(wide_width, picture_.width - x);
+  const auto pixel =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(picture_.width) + static_cast<std::size_t>(x);
+  float* const depth = sample_depth_.data() + static_cast<std::size_t>(samples) * pixel;
+  wide nearest(std::numeric_limits<float>::infinity());
+  wide farthest(0.0F);
+  wide3 sum(wide(0.0F));
   for (int s = 0; s < samples; ++s) {
-    const view_ray ray = eye.ray(sample_position(x, y, s));
-    const glm::vec3 origin = eye.eye + eye.direction_to_world(ray.origin);
-    const glm::vec3 direction = eye.direction_to_world(ray.direction);
-    const auto hit = world.opaque.hit(origin, direction);
-    depth[s] = hit ? hit->distance : std::numeric_limits<float>::infinity();
-    const glm::vec3 far = world.background(direction);
-    sum += hit ? glm::mix(world.solid_radiance(origin + hit->distance * direction, *hit), far, hit->haze) : far;
+    const wide across = counted_from(static_cast<float>(x)) + wide(offset(s % side_));
+    const scene::backdrop_rays seen =
+        world.seen_behind(eye.world_rays(across, wide(static_cast<float>(y) + offset(s / side_))));
+    for (int k = 0; k < count; ++k)
+      depth[k * samples + s] = seen.depth.lane[k];
+    nearest = least(seen.depth, nearest);
+    farthest = greatest(seen.depth, farthest);
+    sum = sum + seen.radiance;
   }
-  const auto [nearest, farthest] = std::minmax_element(depth, depth + samples);
-  nearest_[pixel] = *nearest;
-  limit_[pixel] = *farthest;
-  picture_.at(x, y) = sum / static_cast<float>(samples);
-}
-
-glm::vec2 backdrop::sample_position(int x, int y, int sample) const {
-  const glm::vec2 corner(static_cast<float>(x), static_cast<float>(y));
-  const glm::vec2 inside(static_cast<float>(sample % side_) + 0.5F, static_cast<float>(sample / side_) + 0.5F);
-  return corner + inside / static_cast<float>(side_);
+  const wide3 mean = sum / wide(static_cast<float>(samples));
+  for (int k = 0; k < count; ++k) {
+    const std::size_t here = pixel + static_cast<std::size_t>(k);
+    nearest_[here] = nearest.lane[k];
+    limit_[here] = farthest.lane[k];
+    picture_.pixels[here] = lane_of(mean, k);
+  }
 }
 
 float backdrop::share_behind(std::size_t pixel, float depth) const {

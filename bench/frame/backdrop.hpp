@@ -28,8 +28,8 @@ class backdrop {
   [[nodiscard]] const image& picture() const { return picture_; }
 
  private:
+  /// The pixels from (x, y) to the right, as many as there are lanes.
   void see(const view& eye, const scene& world, int x, int y);
-  [[nodiscard]] glm::vec2 sample_position(int x, int y, int sample) const;
 
   int side_;                         ///< samples along a pixel's side
   std::vector<float> sample_depth_;  ///< side² a pixel

@@ -3,7 +3,6 @@
 #pragma once
 #include <glm/glm.hpp>
 #include <array>
-#include <optional>
 
 #include "frame/ellipsoid.hpp"
 
@@ -22,9 +21,9 @@ inline constexpr std::array<ellipsoid, bust_parts> bust{{
 /// True if p is inside a part of the bust or on it.
 [[nodiscard]] bool inside_bust(glm::vec3 p);
 
-/// The nearest entry of a ray into the bust, parts that it starts inside not counted; none if it misses.
+/// The nearest entry of a ray into the bust, parts that it starts inside not counted; at +inf if it misses.
 /// direction is not zero.
-[[nodiscard]] std::optional<surface_hit> hit_bust(glm::vec3 origin, glm::vec3 direction);
+[[nodiscard]] surface_hit<float> hit_bust(glm::vec3 origin, glm::vec3 direction);
 
 inline bool inside_bust(glm::vec3 p) {
   for (const ellipsoid& part : bust) {
@@ -33,8 +32,8 @@ inline bool inside_bust(glm::vec3 p) {
   return false;
 }
 
-inline std::optional<surface_hit> hit_bust(glm::vec3 origin, glm::vec3 direction) {
-  return hit_ellipsoids(bust, origin, direction);
+inline surface_hit<float> hit_bust(glm::vec3 origin, glm::vec3 direction) {
+  return hit_ellipsoids<float>(bust, origin, direction);
 }
 
 }  // namespace pelage::frame

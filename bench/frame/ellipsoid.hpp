@@ -1,10 +1,13 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/vector_math.hpp>
+
 #include <glm/glm.hpp>
-#include <cmath>
-#include <optional>
+#include <limits>
 #include <span>
+
+#include "frame/wide.hpp"
 
 namespace pelage::frame {
 
@@ -14,51 +17,65 @@ struct ellipsoid {
   glm::vec3 radii;
 
   /// 0 at the centre, 1 on the surface, more outside.
-  [[nodiscard]] float level(glm::vec3 p) const { return glm::length((p - centre) / radii); }
+  template <class Real>
+  [[nodiscard]] Real level(const glm::vec<3, Real>& p) const {
+    return vector_length((p - filled<Real>(centre)) / filled<Real>(radii));
+  }
 
   /// Unit outward normal of the level surface through p; p is not the centre.
-  [[nodiscard]] glm::vec3 normal(glm::vec3 p) const { return glm::normalize((p - centre) / (radii * radii)); }
+  template <class Real>
+  [[nodiscard]] glm::vec<3, Real> normal(const glm::vec<3, Real>& p) const {
+    return unit_vector((p - filled<Real>(centre)) / filled<Real>(radii * radii));
+  }
 };
 
-/// Where a ray meets a surface: origin + distance * direction.
+/// Where a ray meets a surface: origin + distance * direction; where as many rays do as Real has lanes.
+template <class Real>
 struct surface_hit {
-  float distance;    ///< in lengths of the direction, > 0
-  glm::vec3 normal;  ///< unit, outward, for shading: rounded over the seams between parts
+  Real distance;             ///< in lengths of the direction, > 0; +inf: nowhere
+  glm::vec<3, Real> normal;  ///< unit, outward, for shading: rounded over the seams between parts; or garbage
 };
 
-/// The nearest entry of a ray into a union of ellipsoids, those that it starts inside not counted; none if it misses.
+/// The nearest entry of a ray into a union of ellipsoids, those that it starts inside not counted.
 /// direction is not zero.
-[[nodiscard]] std::optional<surface_hit> hit_ellipsoids(std::span<const ellipsoid> parts, glm::vec3 origin,
-                                                        glm::vec3 direction);
+template <class Real>
+[[nodiscard]] surface_hit<Real> hit_ellipsoids(std::span<const ellipsoid> parts, const glm::vec<3, Real>& origin,
+                                               const glm::vec<3, Real>& direction);
+
+// ---------------------------------------------------------------------------------------------------------
 
 /// The normals of the parts whose surfaces pass close to p, a point on one of them, weighted by nearness.
-[[nodiscard]] inline glm::vec3 shading_normal(std::span<const ellipsoid> parts, glm::vec3 p) {
+template <class Real>
+[[nodiscard]] glm::vec<3, Real> shading_normal(std::span<const ellipsoid> parts, const glm::vec<3, Real>& p) {
   constexpr float reach = 0.12F;
-  glm::vec3 sum(0.0F);
+  const glm::vec<3, Real> none(Real(0.0F));
+  glm::vec<3, Real> sum = none;
   for (const ellipsoid& part : parts) {
-    const float nearness = 1.0F - std::abs(part.level(p) - 1.0F) / reach;
-    if (nearness > 0.0F) sum += part.normal(p) * (nearness * nearness);
+    const Real nearness = Real(1.0F) - absolute(part.level(p) - Real(1.0F)) / Real(reach);
+    sum = sum + select(nearness > Real(0.0F), part.normal(p) * (nearness * nearness), none);
   }
-  return glm::normalize(sum);
+  return unit_vector(sum);
 }
 
-inline std::optional<surface_hit> hit_ellipsoids(std::span<const ellipsoid> parts, glm::vec3 origin,
-                                                 glm::vec3 direction) {
-  std::optional<surface_hit> nearest;
+template <class Real>
+surface_hit<Real> hit_ellipsoids(std::span<const ellipsoid> parts, const glm::vec<3, Real>& origin,
+                                 const glm::vec<3, Real>& direction) {
+  const Real zero(0.0F);
+  const Real nowhere(std::numeric_limits<float>::infinity());
+  Real nearest = nowhere;
   for (const ellipsoid& part : parts) {
-    const glm::vec3 o = (origin - part.centre) / part.radii;
-    const glm::vec3 d = direction / part.radii;
-    const float a = glm::dot(d, d);
-    const float half_b = glm::dot(o, d);
-    const glm::vec3 closest = o - (half_b / a) * d;
-    const float depth = 1.0F - glm::dot(closest, closest);
-    if (depth <= 0.0F) continue;
-    const float t = -half_b / a - std::sqrt(depth / a);
-    if (t <= 0.0F || (nearest && nearest->distance <= t)) continue;
-    nearest = surface_hit{t, glm::vec3(0.0F)};
+    const glm::vec<3, Real> o = (origin - filled<Real>(part.centre)) / filled<Real>(part.radii);
+    const glm::vec<3, Real> d = direction / filled<Real>(part.radii);
+    const Real a = dot_product(d, d);
+    const Real middle = dot_product(o, d) / a;
+    const glm::vec<3, Real> closest = o - middle * d;
+    const Real depth = Real(1.0F) - dot_product(closest, closest);
+    const Real t = zero - middle - square_root(depth / a);
+    const Real entry = select(depth > zero, select(t > zero, t, nowhere), nowhere);
+    nearest = least(entry, nearest);
   }
-  if (nearest) nearest->normal = shading_normal(parts, origin + nearest->distance * direction);
-  return nearest;
+  if (!any(nearest < nowhere)) return {nearest, {}};
+  return {nearest, shading_normal(parts, origin + nearest * direction)};
 }
 
 }  // namespace pelage::frame

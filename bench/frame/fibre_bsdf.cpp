@@ -3,7 +3,7 @@
 #include "frame/fibre_bsdf.hpp"
 
 #include <pelage/bsdf/dual_scattering_table.hpp>
-#include <pelage/bsdf/kajiya_kay.hpp>
+#include <pelage/bsdf/kajiya_kay_lanes.hpp>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -123,10 +123,17 @@ fibre_bsdf::angles fibre_bsdf::angles_of(const glm::vec3& tangent, const glm::ve
   return {sin_light, cosine_of(sin_light), sin_eye, cosine_of(sin_eye), std::min(pi, unsigned_angle(across, along))};
 }
 
-glm::vec3 fibre_bsdf::kajiya_kay_share(const fibre_place& at, const glm::vec3& to_light) const {
-  const kajiya_kay_lobes lobes = kajiya_kay(at.tangent, to_light, at.to_eye, exponent);
-  const glm::vec3 colour = look_.pigment ? mass_albedo_ : at.colour;
-  return diffuse_weight * lobes.diffuse * colour + glm::vec3(specular_weight * lobes.specular);
+template <class Real>
+glm::vec<3, Real> fibre_bsdf::own_colour(const fibre_place_of<Real>& at) const {
+  return look_.pigment ? filled<Real>(mass_albedo_) : at.colour;
+}
+
+template <class Real>
+glm::vec<3, Real> fibre_bsdf::kajiya_kay_share(const fibre_place_of<Real>& at,
+                                               const glm::vec<3, Real>& to_light) const {
+  const auto lobes = kajiya_kay(at.tangent, to_light, at.to_eye, exponent);
+  return Real(diffuse_weight) * lobes.diffuse * own_colour(at) +
+         glm::vec<3, Real>(Real(specular_weight) * lobes.specular);
 }
 
 /// ½ S cos θ_i: half, since M counts θ_r in halves.
@@ -183,13 +190,39 @@ glm::vec3 fibre_bsdf::scatter(const fibre_place& at, const glm::vec3& to_light, 
 }
 
 glm::vec3 fibre_bsdf::reflect_sky(const fibre_place& at) const {
-  if (look_.model == bsdf_model::kajiya_kay) return look_.pigment ? mass_albedo_ : at.colour;
+  if (look_.model == bsdf_model::kajiya_kay) return own_colour(at);
   const float sin_eye = held_sine(glm::dot(at.tangent, at.to_eye));
   if (look_.model != bsdf_model::dual_scattering) return 2.0F * table_->backward(sin_eye);
   const dual_averages<float> averages = look_up_dual_scattering<float>(averages_, angle_of_sine(sin_eye));
   // The lobe from behind is (1 - |φ|/π)/π round the fibre, of which the sky's own factor leaves 2/3.
   return 2.0F *
          (averages.backward + (4.0F / 3.0F * density.backward) * dual_local_scattering(averages, density).albedo);
+}
+
+namespace {
+
+fibre_place place_of(const fibre_place_of<wide>& at, int k) {
+  return {lane_of(at.tangent, k), lane_of(at.to_eye, k), lane_of(at.colour, k), at.opacity.lane[k]};
+}
+
+}  // namespace
+
+wide3 fibre_bsdf::scatter(const fibre_place_of<wide>& at, const wide3& to_light, const passage_of<wide>& passed,
+                          std::uint32_t set) const {
+  if (look_.model == bsdf_model::kajiya_kay) return passed.transmittance * kajiya_kay_share(at, to_light);
+  wide3_builder sent;
+  for_each_lane(set, [&](int k) {
+    const passage one{passed.transmittance.lane[k], passed.fibres.lane[k], passed.open.lane[k]};
+    sent.set(k, scatter(place_of(at, k), lane_of(to_light, k), one));
+  });
+  return sent.done();
+}
+
+wide3 fibre_bsdf::reflect_sky(const fibre_place_of<wide>& at, std::uint32_t set) const {
+  if (look_.model == bsdf_model::kajiya_kay) return own_colour(at);
+  wide3_builder sent;
+  for_each_lane(set, [&](int k) { sent.set(k, reflect_sky(place_of(at, k))); });
+  return sent.done();
 }
 
 }  // namespace pelage::frame

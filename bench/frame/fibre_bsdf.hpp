@@ -7,11 +7,13 @@
 #include <pelage/bsdf/marschner.hpp>
 
 #include <glm/vec3.hpp>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "frame/azimuthal_table.hpp"
 #include "frame/shadow_map.hpp"
+#include "frame/wide.hpp"
 
 namespace pelage::frame {
 
@@ -32,13 +34,15 @@ struct fibre_look {
   float tilt = 2.0F;                      ///< of the cuticle's scales toward the tip, degrees, [-20, 20]
 };
 
-/// A place on a fibre and who looks at it.
-struct fibre_place {
-  glm::vec3 tangent;  ///< unit, root to tip
-  glm::vec3 to_eye;   ///< unit
-  glm::vec3 colour;   ///< the fibre's own, linear RGB reflectance
-  float opacity;      ///< the share of the light across its width that it meets, [0, 1]
+/// A place on a fibre and who looks at it; as many as Real has lanes.
+template <class Real>
+struct fibre_place_of {
+  glm::vec<3, Real> tangent;  ///< unit, root to tip
+  glm::vec<3, Real> to_eye;   ///< unit
+  glm::vec<3, Real> colour;   ///< the fibre's own, linear RGB reflectance
+  Real opacity;               ///< the share of the light across its width that it meets, [0, 1]
 };
+using fibre_place = fibre_place_of<float>;
 
 /// A fibre's scattering, ready for use. Every result is finite and not negative, for any vectors.
 ///
@@ -67,6 +71,11 @@ class fibre_bsdf {
   /// that sees a fibre looks along the way by which the sky lights it, and hair lies behind.
   [[nodiscard]] glm::vec3 reflect_sky(const fibre_place& at) const;
 
+  /// The same for the lanes whose bit is set, each with the bits that its place has alone; garbage in the others.
+  [[nodiscard]] wide3 scatter(const fibre_place_of<wide>& at, const wide3& to_light, const passage_of<wide>& passed,
+                              std::uint32_t set) const;
+  [[nodiscard]] wide3 reflect_sky(const fibre_place_of<wide>& at, std::uint32_t set) const;
+
  private:
   /// Both directions as the models take them.
   struct angles {
@@ -75,7 +84,11 @@ class fibre_bsdf {
   };
 
   [[nodiscard]] static angles angles_of(const glm::vec3& tangent, const glm::vec3& to_light, const glm::vec3& to_eye);
-  [[nodiscard]] glm::vec3 kajiya_kay_share(const fibre_place& at, const glm::vec3& to_light) const;
+  template <class Real>
+  [[nodiscard]] glm::vec<3, Real> own_colour(const fibre_place_of<Real>& at) const;
+  template <class Real>
+  [[nodiscard]] glm::vec<3, Real> kajiya_kay_share(const fibre_place_of<Real>& at,
+                                                   const glm::vec<3, Real>& to_light) const;
   [[nodiscard]] glm::vec3 marschner_share(const angles& a) const;
   [[nodiscard]] glm::vec3 chiang_share(const angles& a) const;
   [[nodiscard]] glm::vec3 dual_share(const angles& a, const passage& passed, float opacity) const;

@@ -92,20 +92,6 @@ light place_light(const light& relative, const sphere& scene) {
   return placed;
 }
 
-arrival light_at(const light& placed, const sphere& scene, const glm::vec3& at) {
-  if (placed.kind == light_kind::directional) return {-placed.direction, placed.colour};
-  const glm::vec3 way = placed.position - at;
-  const glm::vec3 centre_way = placed.position - scene.centre;
-  const float distance2 = glm::dot(way, way);
-  const glm::vec3 to_light = way / std::sqrt(std::max(distance2, 1e-30F));
-  float strength = glm::dot(centre_way, centre_way) / std::max(distance2, 1e-30F);
-  if (placed.kind == light_kind::spot) {
-    const float inside = -glm::dot(to_light, placed.direction);
-    strength *= glm::smoothstep(placed.cos_outer, placed.cos_inner, inside);
-  }
-  return {to_light, strength * placed.colour};
-}
-
 view light_view(const light& placed, const sphere& fibres, int texels) {
   constexpr float slack = 1.02F;
   if (placed.kind == light_kind::directional) {

@@ -4,25 +4,22 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <limits>
 
 namespace pelage::frame {
-
-float opaque_depth(const view& from, const solids& opaque, const glm::vec2& pixel) {
-  const view_ray ray = from.ray(pixel);
-  const glm::vec3 origin = from.eye + from.direction_to_world(ray.origin);
-  const auto hit = opaque.hit(origin, from.direction_to_world(ray.direction));
-  return hit ? hit->distance : std::numeric_limits<float>::infinity();
-}
 
 std::vector<float> opaque_depths(const view& from, const solids& opaque) {
   const auto width = static_cast<std::size_t>(from.width);
   std::vector<float> depth(width * static_cast<std::size_t>(from.height));
   tbb::parallel_for(0, from.height, [&](int y) {
-    for (int x = 0; x < from.width; ++x) {
-      depth[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
-          opaque_depth(from, opaque, {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
+    float* const row = &depth[static_cast<std::size_t>(y) * width];
+    for (int x = 0; x < from.width; x += wide_width) {
+      const wide_rays rays =
+          from.world_rays(counted_from(static_cast<float>(x) + 0.5F), wide(static_cast<float>(y) + 0.5F));
+      const wide found = opaque.hit(rays.origin, rays.direction).distance;
+      for (int k = 0; k < std::min(wide_width, from.width - x); ++k)
+        row[x + k] = found.lane[k];
     }
   });
   return depth;

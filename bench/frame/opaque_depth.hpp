@@ -8,10 +8,8 @@
 
 namespace pelage::frame {
 
-/// View depth of the nearest opaque object along the ray through pixel coordinates, +inf where there is none.
-[[nodiscard]] float opaque_depth(const view& from, const solids& opaque, const glm::vec2& pixel);
-
-/// The same for all pixels' centres. Parallel.
+/// View depth of the nearest opaque object along the rays through all pixels' centres, +inf where there is none.
+/// Parallel.
 [[nodiscard]] std::vector<float> opaque_depths(const view& from, const solids& opaque);
 
 }  // namespace pelage::frame

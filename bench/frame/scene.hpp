@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "frame/fibre_bsdf.hpp"
@@ -20,6 +21,13 @@ struct lit {
   std::unique_ptr<shadow_map> shadow;
 };
 
+/// A place on a segment, and who looks at it.
+struct lit_place {
+  std::uint32_t segment;
+  float along;
+  glm::vec3 to_eye;  ///< unit
+};
+
 /// Everything that light meets, and what comes back to an eye.
 struct scene {
   const strands& fibres;
@@ -32,18 +40,25 @@ struct scene {
   /// Radiance of a fibre toward `to_eye` (unit) at a place on a segment, linear RGB.
   [[nodiscard]] glm::vec3 fibre_radiance(std::uint32_t segment, float along, const glm::vec3& to_eye) const;
 
-  /// Prepares fibre_radiance() at a position: see shadow_map::prefetch().
-  void prefetch(const glm::vec3& position, int step) const {
-    for (const lit& l : lights) {
-      if (l.shadow) l.shadow->prefetch(position, step);
-    }
-  }
+  /// Of many places: what the maps hold of them is loaded meanwhile. Each has the bits that it has alone.
+  void fibre_radiance(std::span<const lit_place> places, std::span<glm::vec3> radiance) const;
 
-  /// Radiance of an opaque object where a ray hits it.
-  [[nodiscard]] glm::vec3 solid_radiance(const glm::vec3& position, const solid_hit& hit) const;
+  /// What rays see that meet no fibre, as many as there are lanes: opaque objects or the background.
+  struct backdrop_rays {
+    wide depth;  ///< in lengths of the rays' directions; +inf: the background
+    wide3 radiance;
+  };
+  [[nodiscard]] backdrop_rays seen_behind(const wide_rays& rays) const;
 
-  /// What a ray that misses everything sees.
-  [[nodiscard]] glm::vec3 background(const glm::vec3& direction) const;
+ private:
+  [[nodiscard]] wide3 solid_radiance(const wide3& position, const solid_hit<wide>& hit, std::uint32_t set) const;
+  [[nodiscard]] wide3 background(const wide3& direction) const;
+
+  struct places;
+  [[nodiscard]] places places_at(std::span<const lit_place> at) const;
+
+  /// Adds what the places send of a light.
+  void light(const lit& l, std::span<places> all) const;
 };
 
 }  // namespace pelage::frame

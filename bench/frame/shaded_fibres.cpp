@@ -15,7 +15,7 @@ namespace pelage::frame {
 namespace {
 
 constexpr std::uint32_t most_intervals = 64;
-constexpr std::uint32_t block = 32;  ///< segments whose shadows are fetched together
+constexpr std::uint32_t block = 512;  ///< segments that one task shades
 
 }  // namespace
 
@@ -39,16 +39,18 @@ shaded_fibres::shaded_fibres(const scene& world, const raster& from, std::span<c
     before = after;
   }
   place_.resize(next);
-  tbb::parallel_for(0U, (segments + block - 1) / block, [&](std::uint32_t b) {
-    const std::uint32_t begin = b * block;
-    const std::uint32_t end = std::min(begin + block, segments);
-    for (const int step : {0, 1})
-      for_each_place(begin, end, [&](std::uint32_t, std::uint32_t s, float along) {
-        world_.prefetch(fibres.mix(fibres.point, s, along), step);
-      });
-    for_each_place(begin, end,
-                   [&](std::uint32_t place, std::uint32_t s, float along) { place_[place] = evaluate(s, along); });
+  tbb::parallel_for(0U, (segments + block - 1) / block,
+                    [&](std::uint32_t b) { shade(b * block, std::min((b + 1) * block, segments)); });
+}
+
+void shaded_fibres::shade(std::uint32_t begin, std::uint32_t end) {
+  std::vector<lit_place> asked;
+  std::uint32_t first = 0;
+  for_each_place(begin, end, [&](std::uint32_t place, std::uint32_t segment, float along) {
+    if (asked.empty()) first = place;
+    asked.push_back(place_on(segment, along));
   });
+  world_.fibre_radiance(asked, std::span(place_).subspan(first, asked.size()));
 }
 
 template <class Visit>
@@ -70,18 +72,20 @@ std::uint32_t shaded_fibres::intervals(std::uint32_t segment, float spacing) con
   return count > 1.0F ? static_cast<std::uint32_t>(std::min(count, static_cast<float>(most_intervals))) : 1;
 }
 
-glm::vec3 shaded_fibres::evaluate(std::uint32_t segment, float along) const {
+lit_place shaded_fibres::place_on(std::uint32_t segment, float along) const {
   const view& eye = from_.from();
   const glm::vec3 way = eye.eye - world_.fibres.mix(world_.fibres.point, segment, along);
   const float length2 = glm::dot(way, way);
   const bool has_direction = eye.perspective && length2 > 0.0F;
-  const glm::vec3 to_eye =
-      has_direction ? way / std::sqrt(length2) : eye.direction_to_world(glm::vec3(0.0F, 0.0F, 1.0F));
-  return world_.fibre_radiance(segment, along, to_eye);
+  return {segment, along,
+          has_direction ? way / std::sqrt(length2) : eye.direction_to_world(glm::vec3(0.0F, 0.0F, 1.0F))};
 }
 
 glm::vec3 shaded_fibres::at(std::uint32_t segment, float along) const {
-  if (first_.empty()) return evaluate(segment, along);
+  if (first_.empty()) {
+    const lit_place alone = place_on(segment, along);
+    return world_.fibre_radiance(segment, along, alone.to_eye);
+  }
   const std::uint32_t point = from_.fibres().segment[segment];
   const std::uint32_t first = first_[point];
   const std::uint32_t count = first_[point + 1] - first;

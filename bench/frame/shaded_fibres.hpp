@@ -37,11 +37,13 @@ class shaded_fibres {
 
  private:
   [[nodiscard]] std::uint32_t intervals(std::uint32_t segment, float spacing) const;
-  /// Calls `visit(place, segment, along)` for the places of segments [begin, end).
+  void shade(std::uint32_t begin, std::uint32_t end);
+
+  /// Calls `visit(place, segment, along)` for the places of segments [begin, end), in order and without gaps.
   template <class Visit>
   void for_each_place(std::uint32_t begin, std::uint32_t end, Visit&& visit) const;
 
-  [[nodiscard]] glm::vec3 evaluate(std::uint32_t segment, float along) const;
+  [[nodiscard]] lit_place place_on(std::uint32_t segment, float along) const;
 
   const scene& world_;
   const raster& from_;

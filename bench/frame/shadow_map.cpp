@@ -21,64 +21,81 @@ shadow_map::shadow_map(const raster& from, const solids& opaque, bool translucen
       fibres_per_octave_(limit_.size(), 0.0F) {
 }
 
-std::optional<shadow_map::corners> shadow_map::corners_of(const glm::vec3& in_view) const {
-  const glm::vec2 pixel = light_.to_pixel(in_view);
-  const glm::vec2 size(static_cast<float>(light_.width), static_cast<float>(light_.height));
-  if (!(pixel.x >= 0.0F && pixel.y >= 0.0F && pixel.x <= size.x && pixel.y <= size.y)) return std::nullopt;
-  const glm::vec2 between = glm::clamp(pixel - 0.5F, glm::vec2(0.0F), size - 1.0F);  // the rim has its texel's value
-  const glm::vec2 corner = glm::min(glm::floor(between), size - 2.0F);
-  return corners{index(static_cast<int>(corner.x), static_cast<int>(corner.y)), between - corner};
-}
+shadow_map::spots shadow_map::find(const wide3& world, wide bias, std::uint32_t set) const {
+  const wide zero(0.0F);
+  const wide3 p = light_.to_view(world);
+  const wide depth = zero - p.z - bias;
+  const glm::vec<2, wide> pixel = light_.to_pixel(p);
+  const wide width(static_cast<float>(light_.width));
+  const wide height(static_cast<float>(light_.height));
+  const std::uint32_t beyond =
+      bits(pixel.x > width) | bits(pixel.y > height) | bits(pixel.x < zero) | bits(pixel.y < zero);
+  const std::uint32_t inside = set & ~beyond & bits(depth > wide(light_.near_plane));
 
-/// The bilinear mean of what the four texels nearest to a position have at its depth.
-template <class Value, class At>
-Value shadow_map::mean(const glm::vec3& world, float bias, Value outside, At&& at) const {
-  const glm::vec3 p = light_.to_view(world);
-  const float depth = -p.z - bias;
-  if (depth <= light_.near_plane) return outside;
-  const auto found = corners_of(p);
-  if (!found) return outside;
-  const auto& [first, weight] = *found;
-  const std::size_t below = first + static_cast<std::size_t>(light_.width);
-  const Value top = glm::mix(at(first, depth), at(first + 1, depth), weight.x);
-  const Value bottom = glm::mix(at(below, depth), at(below + 1, depth), weight.x);
-  return glm::mix(top, bottom, weight.y);
-}
-
-void shadow_map::prefetch(const glm::vec3& world, int step) const {
-  const auto found = corners_of(light_.to_view(world));
-  if (!found) return;
-  for (const std::size_t left : {found->first, found->first + static_cast<std::size_t>(light_.width)}) {
-    if (step == 0) {
-      __builtin_prefetch(&limit_[left]);
-      __builtin_prefetch(&fibres_per_octave_[left]);
-    }
-    prefetch_texel(left, step);
-    prefetch_texel(left + 1, step);
-  }
-}
-
-float shadow_map::transmittance_to(const glm::vec3& world, float bias) const {
-  return mean(world, bias, 1.0F, [this](std::size_t texel, float depth) {
-    return depth > limit_[texel] ? 0.0F : fast_exp2(-optical_before(texel, depth) * unit);
+  // The rim has its texel's value.
+  const auto between = [&](wide at, wide size) { return least(greatest(at - wide(0.5F), zero), size - wide(1.0F)); };
+  const wide across = between(pixel.x, width);
+  const wide down = between(pixel.y, height);
+  const wide left = least(whole_part(across), width - wide(2.0F));
+  const wide above = least(whole_part(down), height - wide(2.0F));
+  spots found{{}, inside, across - left, down - above, depth};
+  for_each_lane(inside, [&](int k) {
+    found.first[static_cast<std::size_t>(k)] =
+        static_cast<std::uint32_t>(index(static_cast<int>(left.lane[k]), static_cast<int>(above.lane[k])));
   });
+  return found;
+}
+
+void shadow_map::prefetch(const spots& at, int step) const {
+  for_each_lane(at.inside, [&](int k) {
+    const std::size_t first = at.first[static_cast<std::size_t>(k)];
+    for (const std::size_t left : {first, first + static_cast<std::size_t>(light_.width)}) {
+      if (step == 0) {
+        __builtin_prefetch(&limit_[left]);
+        __builtin_prefetch(&fibres_per_octave_[left]);
+      }
+      prefetch_texels(left, step);
+    }
+  });
+}
+
+wide3 shadow_map::passed_in(const spots& at, std::size_t offset) const {
+  alignas(sizeof(wide)) float octaves[wide_width] = {};
+  alignas(sizeof(wide)) float per_octave[wide_width] = {};
+  alignas(sizeof(wide)) float open[wide_width] = {};
+  for_each_lane(at.inside, [&](int k) {
+    const std::size_t texel = at.first[static_cast<std::size_t>(k)] + offset;
+    const bool hidden = at.depth.lane[k] > limit_[texel];
+    octaves[k] = optical_before(texel, hidden ? std::numeric_limits<float>::infinity() : at.depth.lane[k]);
+    per_octave[k] = fibres_per_octave_[texel];
+    open[k] = hidden ? 0.0F : 1.0F;
+  });
+  const wide sum = wide::load(octaves) * wide(unit);
+  const wide left = wide::load(open);
+  return {select(left > wide(0.0F), fast_exp2(wide(0.0F) - sum), wide(0.0F)), sum * wide::load(per_octave), left};
+}
+
+passage_of<wide> shadow_map::passed_to(const spots& at) const {
+  const auto below = static_cast<std::size_t>(light_.width);
+  const auto mix = [](const wide3& a, const wide3& b, wide share) { return a * (wide(1.0F) - share) + b * share; };
+  const wide3 top = mix(passed_in(at, 0), passed_in(at, 1), at.across);
+  const wide3 bottom = mix(passed_in(at, below), passed_in(at, below + 1), at.across);
+  const wide3 mean = mix(top, bottom, at.down);
+  const auto inside = mask_of(at.inside);
+  return {select(inside, mean.x, wide(1.0F)), select(inside, mean.y, wide(0.0F)), select(inside, mean.z, wide(1.0F))};
 }
 
 passage shadow_map::passed_to(const glm::vec3& world, float bias) const {
-  const glm::vec3 passed = mean(world, bias, glm::vec3(1.0F, 0.0F, 1.0F), [this](std::size_t texel, float depth) {
-    const bool hidden = depth > limit_[texel];
-    const float octaves = optical_before(texel, hidden ? std::numeric_limits<float>::infinity() : depth) * unit;
-    return glm::vec3(hidden ? 0.0F : fast_exp2(-octaves), octaves * fibres_per_octave_[texel], hidden ? 0.0F : 1.0F);
-  });
-  return {passed.x, passed.y, passed.z};
+  const passage_of<wide> passed = passed_to(find(filled<wide>(world), wide(bias), 1U));
+  return {passed.transmittance.lane[0], passed.fibres.lane[0], passed.open.lane[0]};
+}
+
+float shadow_map::transmittance_to(const glm::vec3& world, float bias) const {
+  return passed_to(world, bias).transmittance;
 }
 
 std::uint64_t shadow_map::bytes() const {
   return texel_bytes() + (limit_.size() + fibres_per_octave_.size()) * sizeof(float);
-}
-
-float shadow_map::texel_at(const glm::vec3& world) const {
-  return 2.0F * radius_at(light_.cone, -light_.to_view(world).z);
 }
 
 float shadow_map::alpha(std::uint32_t segment, const touch& where) const {

@@ -2,24 +2,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <glm/glm.hpp>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "frame/opaque_depth.hpp"
 #include "frame/raster.hpp"
 #include "frame/seen_lanes.hpp"
+#include "frame/wide.hpp"
 
 namespace pelage::frame {
 
-/// What light has met on its way.
-struct passage {
-  float transmittance;  ///< the share that arrives, [0, open]
-  float fibres;         ///< fibres passed, each counted by the share of the texel that it covers, [0, 4096)
-  float open;           ///< the share that no opaque object stops, [0, 1]
+/// What light has met on its way; to as many places as Real has lanes.
+template <class Real>
+struct passage_of {
+  Real transmittance;  ///< the share that arrives, [0, open]
+  Real fibres;         ///< fibres passed, each counted by the share of the texel that it covers, [0, 4096)
+  Real open;           ///< the share that no opaque object stops, [0, 1]
 };
+using passage = passage_of<float>;
 
 /// What passes from a light to any point. What a texel keeps of its fibres is up to the method, shadows/; all share
 /// where a point is looked up, the depth of the nearest opaque object, and how many fibres an optical depth stands for.
@@ -38,9 +41,23 @@ class shadow_map {
   /// none stops light. Behind an opaque object it is that of all fibres before the object.
   [[nodiscard]] passage passed_to(const glm::vec3& world, float bias) const;
 
-  /// Asks the processor to load what passed_to() will read for a position. What lies behind a pointer needs two steps:
-  /// call it for many positions with step 0, then for all of them with step 1.
-  void prefetch(const glm::vec3& world, int step) const;
+  /// Where positions are looked up, as many as there are lanes.
+  struct spots {
+    std::array<std::uint32_t, wide_width> first;  ///< the upper left of four texels
+    std::uint32_t inside;                         ///< the bits of the positions that lie in the map
+    wide across, down;                            ///< where between the texels' centres, [0, 1]
+    wide depth;
+  };
+
+  /// Of the positions whose bits are set.
+  [[nodiscard]] spots find(const wide3& world, wide bias, std::uint32_t set) const;
+
+  /// Asks the processor to load what passed_to() will read. What lies behind a pointer needs two steps: call it for
+  /// many positions with step 0, then for all of them with step 1.
+  void prefetch(const spots& at, int step) const;
+
+  /// Each lane has the bits that its position has alone; as outside the map where it was not set.
+  [[nodiscard]] passage_of<wide> passed_to(const spots& at) const;
 
   /// View depth of the nearest opaque object in each texel, +inf where there is none.
   [[nodiscard]] std::span<const float> limit() const { return limit_; }
@@ -49,15 +66,16 @@ class shadow_map {
   [[nodiscard]] std::uint64_t bytes() const;
 
   /// A texel's width at a world position, length units.
-  [[nodiscard]] float texel_at(const glm::vec3& world) const;
+  template <class Real>
+  [[nodiscard]] Real texel_at(const glm::vec<3, Real>& world) const;
 
  protected:
   /// Optical depth of the fibres before a view depth, units of 2⁻²⁰ octaves, [0, 2³²]. Never falls as depth grows.
   [[nodiscard]] virtual float optical_before(std::size_t texel, float depth) const = 0;
   [[nodiscard]] virtual std::uint64_t texel_bytes() const = 0;
 
-  /// A texel's part of prefetch().
-  virtual void prefetch_texel(std::size_t texel, int step) const {
+  /// The part of prefetch() for a texel and the next.
+  virtual void prefetch_texels(std::size_t texel, int step) const {
     (void)texel;
     (void)step;
   }
@@ -75,17 +93,8 @@ class shadow_map {
   }
 
  private:
-  /// The upper left of four texels, and where between their centres a point lies, [0, 1].
-  struct corners {
-    std::size_t first;
-    glm::vec2 weight;
-  };
-
-  /// Of a point in the light's view; none outside the map.
-  [[nodiscard]] std::optional<corners> corners_of(const glm::vec3& in_view) const;
-
-  template <class Value, class At>
-  [[nodiscard]] Value mean(const glm::vec3& world, float bias, Value outside, At&& at) const;
+  /// What light passes to each spot in one of its four texels: transmittance, fibres, open.
+  [[nodiscard]] wide3 passed_in(const spots& at, std::size_t offset) const;
 
   const strands& fibres_;
   view light_;
@@ -93,5 +102,13 @@ class shadow_map {
   std::vector<float> limit_;
   std::vector<float> fibres_per_octave_;
 };
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <class Real>
+Real shadow_map::texel_at(const glm::vec<3, Real>& world) const {
+  const Real depth = Real(0.0F) - light_.to_view(world).z;
+  return Real(2.0F) * (Real(light_.cone.base) + Real(light_.cone.slope) * greatest(depth, Real(0.0F)));
+}
 
 }  // namespace pelage::frame

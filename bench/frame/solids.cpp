@@ -6,21 +6,6 @@
 
 namespace pelage::frame {
 
-std::optional<solid_hit> solids::hit(const glm::vec3& origin, const glm::vec3& direction) const {
-  std::optional<solid_hit> nearest;
-  if (const auto body = hit_ellipsoids(parts, origin, direction)) {
-    nearest = solid_hit{body->distance, body->normal, skin, 0.0F};
-  }
-  if (floor && direction.y < 0.0F && origin.y > *floor) {
-    const float distance = (*floor - origin.y) / direction.y;
-    if (std::isfinite(distance) && (!nearest || distance < nearest->distance)) {
-      const float way = distance * glm::length(direction);
-      nearest = solid_hit{distance, glm::vec3(0.0F, 1.0F, 0.0F), ground, glm::smoothstep(clear, 2.0F * clear, way)};
-    }
-  }
-  return nearest;
-}
-
 std::optional<ellipsoid> fit_head(const hair_model& model) {
   const box bounds = model.bounds();
   if (bounds.empty()) return std::nullopt;

@@ -10,12 +10,13 @@
 
 namespace pelage::frame {
 
-/// A point on an opaque object.
+/// A point on an opaque object; as many as Real has lanes.
+template <class Real>
 struct solid_hit {
-  float distance;    ///< in lengths of the ray's direction, > 0
-  glm::vec3 normal;  ///< unit, outward
-  glm::vec3 colour;  ///< linear RGB reflectance
-  float haze;        ///< share of the background that hides it, [0, 1]: the floor has no horizon
+  Real distance;             ///< in lengths of the ray's direction, > 0; +inf: none, and the rest is garbage
+  glm::vec<3, Real> normal;  ///< unit, outward
+  glm::vec<3, Real> colour;  ///< linear RGB reflectance
+  Real haze;                 ///< share of the background that hides it, [0, 1]: the floor has no horizon
 };
 
 /// The opaque objects of a scene: ellipsoids and a floor.
@@ -27,11 +28,31 @@ struct solids {
   glm::vec3 ground{0.42F, 0.42F, 0.44F};
 
   /// The nearest hit of a ray. direction is not zero.
-  [[nodiscard]] std::optional<solid_hit> hit(const glm::vec3& origin, const glm::vec3& direction) const;
+  template <class Real>
+  [[nodiscard]] solid_hit<Real> hit(const glm::vec<3, Real>& origin, const glm::vec<3, Real>& direction) const;
 };
 
 /// The sphere that fits the strands' roots best in the sense of least squares, a little shrunk so that roots are on
 /// its outside; none when they do not lie on a sphere that a head could be. O(strands).
 [[nodiscard]] std::optional<ellipsoid> fit_head(const hair_model& model);
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <class Real>
+solid_hit<Real> solids::hit(const glm::vec<3, Real>& origin, const glm::vec<3, Real>& direction) const {
+  const surface_hit<Real> body = hit_ellipsoids<Real>(parts, origin, direction);
+  const glm::vec<3, Real> flesh = filled<Real>(skin);
+  const Real zero(0.0F);
+  if (!floor) return {body.distance, body.normal, flesh, zero};
+  const Real height(*floor);
+  const Real nowhere(std::numeric_limits<float>::infinity());
+  const Real fall = (height - origin.y) / direction.y;
+  const Real below = select(direction.y < zero, select(origin.y > height, fall, nowhere), nowhere);
+  const auto on_floor = below < body.distance;
+  const Real mist = saturate((below * vector_length(direction) - Real(clear)) / Real(2.0F * clear - clear));
+  const Real haze = mist * mist * (Real(3.0F) - Real(2.0F) * mist);
+  return {select(on_floor, below, body.distance), select(on_floor, filled<Real>({0.0F, 1.0F, 0.0F}), body.normal),
+          select(on_floor, filled<Real>(ground), flesh), select(on_floor, haze, zero)};
+}
 
 }  // namespace pelage::frame

@@ -5,6 +5,8 @@
 
 #include <glm/glm.hpp>
 
+#include "frame/wide.hpp"
+
 namespace pelage::frame {
 
 /// A rectangle of pixels, [x0, x1) × [y0, y1).
@@ -16,6 +18,12 @@ struct pixel_rect {
 struct view_ray {
   glm::vec3 origin;
   glm::vec3 direction;
+};
+
+/// The same rays in the world, as many as there are lanes.
+struct wide_rays {
+  wide3 origin;
+  wide3 direction;
 };
 
 /// Where a picture is taken from, by a camera or by a light: a frame in space, a projection and a grid of pixels.
@@ -31,7 +39,20 @@ struct view {
   ray_cone<float> cone;  ///< of one pixel
 
   [[nodiscard]] glm::vec3 to_view(const glm::vec3& world) const { return rotation * (world - eye); }
+  [[nodiscard]] wide3 to_view(const wide3& world) const {
+    const wide3 d = world - filled<wide>(eye);
+    const auto row = [&](int i) {
+      return wide(rotation[0][i]) * d.x + wide(rotation[1][i]) * d.y + wide(rotation[2][i]) * d.z;
+    };
+    return {row(0), row(1), row(2)};
+  }
   [[nodiscard]] glm::vec3 direction_to_world(const glm::vec3& d) const { return glm::transpose(rotation) * d; }
+  [[nodiscard]] wide3 direction_to_world(const wide3& d) const {
+    const auto column = [&](int i) {
+      return wide(rotation[i].x) * d.x + wide(rotation[i].y) * d.y + wide(rotation[i].z) * d.z;
+    };
+    return {column(0), column(1), column(2)};
+  }
 
   /// Pixel coordinates of a point in view space; a point nearer than the near plane is taken to lie on it.
   [[nodiscard]] glm::vec2 to_pixel(const glm::vec3& p) const {
@@ -40,12 +61,27 @@ struct view {
     return {0.5F * static_cast<float>(width) + s * p.x, 0.5F * static_cast<float>(height) - s * p.y};
   }
 
+  [[nodiscard]] glm::vec<2, wide> to_pixel(const wide3& p) const {
+    const wide ahead = wide(0.0F) - p.z;
+    const wide s = perspective ? wide(scale) / greatest(ahead, wide(near_plane)) : wide(scale);
+    return {wide(0.5F * static_cast<float>(width)) + s * p.x, wide(0.5F * static_cast<float>(height)) - s * p.y};
+  }
+
   /// The ray through pixel coordinates.
   [[nodiscard]] view_ray ray(const glm::vec2& pixel) const {
     const glm::vec3 across((pixel.x - 0.5F * static_cast<float>(width)) / scale,
                            (0.5F * static_cast<float>(height) - pixel.y) / scale, 0.0F);
     const glm::vec3 ahead(0.0F, 0.0F, -1.0F);
     return perspective ? view_ray{glm::vec3(0.0F), across + ahead} : view_ray{across, ahead};
+  }
+  [[nodiscard]] wide_rays world_rays(wide x, wide y) const {
+    const wide zero(0.0F);
+    const wide3 across((x - wide(0.5F * static_cast<float>(width))) / wide(scale),
+                       (wide(0.5F * static_cast<float>(height)) - y) / wide(scale), zero);
+    const wide3 ahead(zero, zero, wide(-1.0F));
+    const wide3 from = filled<wide>(eye);
+    if (perspective) return {from, direction_to_world(across + ahead)};
+    return {from + direction_to_world(across), direction_to_world(ahead)};
   }
 };
 

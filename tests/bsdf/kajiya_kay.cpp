@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <pelage/bsdf/kajiya_kay.hpp>
+#include <pelage/bsdf/kajiya_kay_lanes.hpp>
 
+#include "lane_bits.hpp"
 #include "property.hpp"
 #include "sweep.hpp"
 
@@ -132,6 +133,21 @@ TEST_CASE("a NaN or zero vector gives no light") {
     CHECK(kajiya_kay(tangent, bad, out, 10.0f).specular == 0.0f);
     CHECK(kajiya_kay(tangent, out, bad, 10.0f).specular == 0.0f);
   }
+}
+
+TEST_CASE("lobes of lanes are those of single fibres, bit for bit") {
+  const auto at_every_width = [](float exponent) {
+    return same_bits_at_every_width(floats_in(-1.0f, 1.0f), [exponent](auto x, auto y) {
+      using vector = glm::vec<3, decltype(x), glm::defaultp>;
+      const vector tangent = unit_vector(vector(x, y, x * y));
+      const vector to_light = unit_vector(vector(y, x + y, x));
+      const vector to_eye = unit_vector(vector(x - y, y, y));
+      const auto lobes = kajiya_kay(tangent, to_light, to_eye, exponent);
+      return lobes.diffuse + decltype(x)(3.0f) * lobes.specular;
+    });
+  };
+  for (const float exponent : {0.0f, 1.0f, 60.0f})
+    CHECK(at_every_width(exponent));
 }
 
 }  // namespace pelage::test

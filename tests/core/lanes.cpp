@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <pelage/core/lanes.hpp>
 
-#include <property.hpp>
+#include "lane_bits.hpp"
 
 #include <array>
 #include <bit>
@@ -10,58 +10,29 @@
 #include <random>
 
 using namespace pelage;
-
-namespace {
-
-/// True if a function gives each lane the bits that it gives the lane's float alone.
-template <int W, class Function>
-bool same_bits(Function function, float low, float high) {
-  std::mt19937 generator(static_cast<std::uint32_t>(W));
-  std::uniform_real_distribution<float> draw(low, high);
-  for (int round = 0; round < 2000; ++round) {
-    std::array<float, W> a, b, found;
-    for (std::size_t k = 0; k < W; ++k) {
-      a[k] = draw(generator);
-      b[k] = draw(generator);
-    }
-    function(lanes<W>::load(a.data()), lanes<W>::load(b.data())).store(found.data());
-    for (std::size_t k = 0; k < W; ++k) {
-      if (std::bit_cast<std::uint32_t>(found[k]) != std::bit_cast<std::uint32_t>(function(a[k], b[k]))) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-template <class Function>
-bool same_bits_at_every_width(Function function, float low, float high) {
-  return same_bits<4>(function, low, high) && same_bits<8>(function, low, high) && same_bits<16>(function, low, high);
-}
-
-}  // namespace
+using namespace pelage::test;
 
 TEST_CASE("arithmetic on lanes is that on floats") {
-  CHECK(same_bits_at_every_width([](auto a, auto b) { return a * b + a / b - b; }, -10.0f, 10.0f));
+  CHECK(same_bits_at_every_width(floats_in(-10.0f, 10.0f), [](auto a, auto b) { return a * b + a / b - b; }));
 }
 
 TEST_CASE("selection takes each lane by its own condition") {
-  CHECK(same_bits_at_every_width([](auto a, auto b) { return select(a < b, a, b * b); }, -10.0f, 10.0f));
-  CHECK(same_bits_at_every_width([](auto a, auto b) { return select(a > b, a, b * b); }, -10.0f, 10.0f));
+  CHECK(same_bits_at_every_width(floats_in(-10.0f, 10.0f), [](auto a, auto b) { return select(a < b, a, b * b); }));
+  CHECK(same_bits_at_every_width(floats_in(-10.0f, 10.0f), [](auto a, auto b) { return select(a > b, a, b * b); }));
 }
 
 TEST_CASE("square roots, whole parts and powers of two of lanes are those of floats") {
-  CHECK(same_bits_at_every_width([](auto a, auto) { return square_root(a); }, 0.0f, 1e9f));
-  CHECK(same_bits_at_every_width([](auto a, auto) { return whole_part(a); }, -1e6f, 1e6f));
-  CHECK(same_bits_at_every_width([](auto a, auto) { return split_exponent(a).power + split_exponent(a).whole; }, 0.0f,
-                                 255.9f));
+  CHECK(same_bits_at_every_width(floats_in(0.0f, 1e9f), [](auto a, auto) { return square_root(a); }));
+  CHECK(same_bits_at_every_width(floats_in(-1e6f, 1e6f), [](auto a, auto) { return whole_part(a); }));
+  CHECK(same_bits_at_every_width(floats_in(0.0f, 255.9f),
+                                 [](auto a, auto) { return split_exponent(a).power + split_exponent(a).whole; }));
 }
 
 TEST_CASE("the elementary functions of lanes are those of floats, bit for bit") {
-  CHECK(same_bits_at_every_width([](auto a, auto) { return exponential(a); }, -120.0f, 100.0f));
-  CHECK(same_bits_at_every_width([](auto a, auto) { return one_minus_exponential(a); }, 0.0f, 2.0f));
-  CHECK(same_bits_at_every_width([](auto a, auto b) { return angle_of(a, b); }, -1.0f, 1.0f));
-  CHECK(same_bits_at_every_width([](auto a, auto) { return rotation_by(a).sine; }, -50.0f, 50.0f));
+  CHECK(same_bits_at_every_width(floats_in(-120.0f, 100.0f), [](auto a, auto) { return exponential(a); }));
+  CHECK(same_bits_at_every_width(floats_in(0.0f, 2.0f), [](auto a, auto) { return one_minus_exponential(a); }));
+  CHECK(same_bits_at_every_width(floats_in(-1.0f, 1.0f), [](auto a, auto b) { return angle_of(a, b); }));
+  CHECK(same_bits_at_every_width(floats_in(-50.0f, 50.0f), [](auto a, auto) { return rotation_by(a).sine; }));
 }
 
 TEST_CASE("a number fills every lane") {

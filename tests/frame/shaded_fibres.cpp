@@ -3,10 +3,13 @@
 #include "frame/shaded_fibres.hpp"
 
 #include "frame/fibres.hpp"
+#include "frame/shadows/k_buffer_shadow.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace pelage::test {
@@ -99,6 +102,32 @@ TEST_CASE("what no limit hides is shaded as without limits, and what is hidden w
     }
     RC_ASSERT(some.evaluations() <= all.evaluations());
     RC_ASSERT(shaded_fibres(s.world, s.from, std::vector<float>(64 * 64, 3.0F), spacing).evaluations() == 0U);
+  });
+}
+
+TEST_CASE("places that are shaded together get the bits that each gets alone, whatever scatters") {
+  holds("in maps' shadows", [] {
+    const lit_scene s;
+    fibre_look look;
+    look.model = *rc::gen::element(bsdf_model::kajiya_kay, bsdf_model::marschner, bsdf_model::chiang);
+    scene world{s.fibres, {}, {}, s.world.bounds, s.world.sky, fibre_bsdf(look, glm::vec3(0.5F))};
+    for (const char* text : {"point:1.5,2,1:1,0.9,0.8", "directional:1,1,-1:0.5,0.6,0.7", "spot:0,3,1:1,1,1:80"}) {
+      const light placed = place_light(parse_light(text), world.bounds);
+      const view from = light_view(placed, world.bounds, 24);
+      const raster seen(s.fibres, from, true);
+      auto map = std::make_unique<k_buffer_shadow>(seen, solids{});
+      run_order_pass(seen, map->limit(), {order_method::k_buffer, 2, {}}, *map);
+      world.lights.push_back({placed, std::move(map)});
+    }
+    std::vector<lit_place> places(static_cast<std::size_t>(*rc::gen::inRange(1, 300)));
+    for (lit_place& p : places)
+      p = {s.any_segment(), any_float(0.0F, 1.0F), glm::normalize(any_vec3(0.1F, 1.0F))};
+    std::vector<glm::vec3> together(places.size());
+    world.fibre_radiance(places, together);
+    std::vector<glm::vec3> alone;
+    for (const lit_place& p : places)
+      alone.push_back(world.fibre_radiance(p.segment, p.along, p.to_eye));
+    RC_ASSERT(same_bits(together, alone));
   });
 }
 

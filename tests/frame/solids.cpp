@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace pelage::test {
@@ -24,6 +25,10 @@ solids any_solids() {
   return s;
 }
 
+bool is_hit(const solid_hit<float>& hit) {
+  return hit.distance < std::numeric_limits<float>::infinity();
+}
+
 /// The solids that hold a point, by number; the floor holds all that lies below it.
 std::vector<bool> holders(const solids& s, const glm::vec3& p, float margin) {
   std::vector<bool> inside;
@@ -38,23 +43,48 @@ TEST_CASE("a ray hits where it first enters a solid that it did not start in") {
     const solids s = any_solids();
     const glm::vec3 origin = any_vec3(-5.0F, 5.0F);
     const glm::vec3 direction = glm::normalize(any_vec3(-2.0F, 2.0F) - origin) * any_float(0.5F, 2.0F);
-    const auto hit = s.hit(origin, direction);
+    const solid_hit<float> hit = s.hit(origin, direction);
 
     const std::vector<bool> at_start = holders(s, origin, 0.0F);
-    for (float t = 0.01F; t < (hit ? hit->distance : 40.0F); t += 0.01F) {
+    for (float t = 0.01F; t < std::min(hit.distance, 40.0F); t += 0.01F) {
       const std::vector<bool> now = holders(s, origin + t * direction, 0.02F);
       for (std::size_t i = 0; i < now.size(); ++i) {
         if (now[i]) RC_ASSERT(at_start[i]);
       }
     }
-    if (!hit) return;
-    RC_ASSERT(hit->distance > 0.0F);
-    RC_ASSERT(std::abs(glm::length(hit->normal) - 1.0F) < 1e-5F);
-    const glm::vec3 p = origin + hit->distance * direction;
+    if (!is_hit(hit)) return;
+    RC_ASSERT(hit.distance > 0.0F);
+    RC_ASSERT(std::abs(glm::length(hit.normal) - 1.0F) < 1e-5F);
+    const glm::vec3 p = origin + hit.distance * direction;
     float off = s.floor ? std::abs(p.y - *s.floor) : 1e30F;
     for (const ellipsoid& part : s.parts)
       off = std::min(off, std::abs(part.level(p) - 1.0F));
     RC_ASSERT(off < 1e-3F);
+  });
+}
+
+TEST_CASE("many rays at once hit what each hits alone, bit for bit") {
+  holds("in every lane", [] {
+    const solids s = any_solids();
+    wide3_builder origins;
+    wide3_builder directions;
+    std::vector<solid_hit<float>> alone;
+    for (int k = 0; k < wide_width; ++k) {
+      const glm::vec3 origin = any_vec3(-5.0F, 5.0F);
+      const glm::vec3 direction = any_vec3(-2.0F, 2.0F) - origin;
+      origins.set(k, origin);
+      directions.set(k, direction);
+      alone.push_back(s.hit(origin, direction));
+    }
+    const solid_hit<wide> together = s.hit(origins.done(), directions.done());
+    for (int k = 0; k < wide_width; ++k) {
+      const solid_hit<float>& one = alone[static_cast<std::size_t>(k)];
+      RC_ASSERT(together.distance.lane[k] == one.distance);
+      if (!is_hit(one)) continue;
+      RC_ASSERT(lane_of(together.normal, k) == one.normal);
+      RC_ASSERT(lane_of(together.colour, k) == one.colour);
+      RC_ASSERT(together.haze.lane[k] == one.haze);
+    }
   });
 }
 
@@ -66,27 +96,27 @@ TEST_CASE("a sphere anywhere and of any size has its own normals") {
     s.parts.push_back({centre, glm::vec3(radius)});
     const glm::vec3 target = centre + radius * any_vec3(-0.5F, 0.5F);
     const glm::vec3 origin = centre + radius * (any_vec3(-1.0F, 1.0F) + glm::vec3(0.0F, 0.0F, 4.0F));
-    const auto hit = s.hit(origin, target - origin);
-    RC_ASSERT(hit.has_value());
-    const glm::vec3 outward = (origin + hit->distance * (target - origin) - centre) / radius;
-    RC_ASSERT(glm::length(hit->normal - outward) < 1e-3F);
-    RC_ASSERT(hit->colour == s.skin);
+    const solid_hit<float> hit = s.hit(origin, target - origin);
+    RC_ASSERT(is_hit(hit));
+    const glm::vec3 outward = (origin + hit.distance * (target - origin) - centre) / radius;
+    RC_ASSERT(glm::length(hit.normal - outward) < 1e-3F);
+    RC_ASSERT(hit.colour == s.skin);
   });
 }
 
 TEST_CASE("the floor is hit from above alone, and never at infinity") {
   solids s;
   s.floor = -1.0F;
-  const auto below = s.hit({0, 1, 0}, {0, -0.5F, 0});
-  REQUIRE(below.has_value());
-  CHECK(below->distance == 4.0F);
-  CHECK(below->normal == glm::vec3(0, 1, 0));
-  CHECK(below->colour == s.ground);
-  CHECK_FALSE(s.hit({0, 1, 0}, {0, 0.5F, 0}).has_value());
-  CHECK_FALSE(s.hit({0, 1, 0}, {1, 0, 0}).has_value());
-  CHECK_FALSE(s.hit({0, -2, 0}, {0, -1, 0}).has_value());
-  CHECK_FALSE(s.hit({0, 1, 0}, {1, -1e-39F, 0}).has_value());
-  CHECK_FALSE(solids{}.hit({0, 1, 0}, {0, -1, 0}).has_value());
+  const auto along = [](const solids& all, const glm::vec3& from, const glm::vec3& way) { return all.hit(from, way); };
+  const solid_hit<float> below = along(s, {0, 1, 0}, {0, -0.5F, 0});
+  CHECK(below.distance == 4.0F);
+  CHECK(below.normal == glm::vec3(0, 1, 0));
+  CHECK(below.colour == s.ground);
+  CHECK_FALSE(is_hit(along(s, {0, 1, 0}, {0, 0.5F, 0})));
+  CHECK_FALSE(is_hit(along(s, {0, 1, 0}, {1, 0, 0})));
+  CHECK_FALSE(is_hit(along(s, {0, -2, 0}, {0, -1, 0})));
+  CHECK_FALSE(is_hit(along(s, {0, 1, 0}, {1, -1e-39F, 0})));
+  CHECK_FALSE(is_hit(along({}, {0, 1, 0}, {0, -1, 0})));
 }
 
 /// Strands of two points from the given roots.

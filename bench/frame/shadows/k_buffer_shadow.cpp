@@ -80,16 +80,18 @@ float k_buffer_shadow::optical_before(std::size_t t, float depth) const {
   return static_cast<float>(optical);
 }
 
-void k_buffer_shadow::prefetch_texel(std::size_t t, int step) const {
+void k_buffer_shadow::prefetch_texels(std::size_t t, int step) const {
   constexpr std::size_t line = 64 / sizeof(entry);
   constexpr std::size_t most = 4 * line;
-  if (step == 0) {
-    __builtin_prefetch(&texel_[t]);
-    return;
+  for (const texel* one : {&texel_[t], &texel_[t + 1]}) {
+    if (step == 0) {
+      __builtin_prefetch(one);
+      continue;
+    }
+    const std::span<const entry> kept = one->nearest;
+    for (std::size_t i = 0; i < std::min(kept.size(), most); i += line)
+      __builtin_prefetch(&kept[i]);
   }
-  const std::span<const entry> kept = texel_[t].nearest;
-  for (std::size_t i = 0; i < std::min(kept.size(), most); i += line)
-    __builtin_prefetch(&kept[i]);
 }
 
 std::uint64_t k_buffer_shadow::texel_bytes() const {

@@ -39,7 +39,7 @@ class k_buffer_shadow final : public shadow_map, public pixel_visitor {
 
   [[nodiscard]] float optical_before(std::size_t texel, float depth) const override;
   [[nodiscard]] std::uint64_t texel_bytes() const override;
-  void prefetch_texel(std::size_t texel, int step) const override;
+  void prefetch_texels(std::size_t texel, int step) const override;
 
   std::vector<texel> texel_;
   array_pool<entry> entries_;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/composite/optical_depth.hpp>
-#include <pelage/core/lanes.hpp>
+#include <pelage/core/lane_math.hpp>
 
 #include <cstdint>
 
@@ -35,37 +35,10 @@ template <int W>
 
 // ---------------------------------------------------------------------------------------------------------
 
-namespace detail {
-
-/// fast_log2() of each lane for x in [0, 1].
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> log2_of_share(lanes<W> x) noexcept {
-  using integers = typename lanes<W>::integers;
-  using vector = typename lanes<W>::vector;
-  const integers bits = reinterpret_cast<integers>(x.lane) - 0x3f3504f3;
-  const lanes<W> exponent(__builtin_convertvector(bits >> 23, vector));
-  const lanes<W> t = lanes<W>(reinterpret_cast<vector>((bits & 0x007fffff) + 0x3f3504f3)) - lanes<W>(1.0f);
-  lanes<W> p(0.12583537f);
-  p = p * t - lanes<W>(0.207268941f);
-  p = p * t + lanes<W>(0.215715846f);
-  p = p * t - lanes<W>(0.238944951f);
-  p = p * t + lanes<W>(0.287916237f);
-  p = p * t - lanes<W>(0.360703677f);
-  p = p * t + lanes<W>(0.480910643f);
-  p = p * t - lanes<W>(0.721347347f);
-  p = p * t + lanes<W>(1.442695f);
-  return select(x < lanes<W>(1.17549435e-38f), lanes<W>(-126.0f), exponent + p * t);
-}
-
-}  // namespace detail
-
 template <int W>
 lane_numbers<W> optical_depth(lanes<W> alpha) noexcept {
-  const lanes<W> zero(0.0f);
-  const lanes<W> one(1.0f);
   const lanes<W> most(32.0f);
-  const lanes<W> octaves =
-      zero - detail::log2_of_share(one - select(alpha > zero, select(alpha < one, alpha, one), zero));
+  const lanes<W> octaves = lanes<W>(0.0f) - fast_log2(lanes<W>(1.0f) - saturate(alpha));
   return to_fixed(select(octaves < most, octaves, most));
 }
 
