@@ -105,7 +105,7 @@ class raster {
 
   /// Position, or any other per-point value, at a place on a segment.
   template <class T>
-  [[nodiscard]] T mix(const std::vector<T>& value, std::uint32_t segment, float along) const {
+  [[nodiscard]] T mix(const big_array<T>& value, std::uint32_t segment, float along) const {
     return fibres_.mix(value, segment, along);
   }
 
@@ -124,7 +124,7 @@ class raster {
   const view& view_;
   bool antialias_;
   float stretch_;
-  std::vector<projected> point_;
+  big_array<projected> point_;
 };
 
 // ---------------------------------------------------------------------------------------------------------

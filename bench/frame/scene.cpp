@@ -50,7 +50,7 @@ scene::places scene::places_at(std::span<const lit_place> at) const {
 }
 
 void scene::fibre_radiance(std::span<const lit_place> asked, std::span<glm::vec3> radiance) const {
-  constexpr std::size_t most = 8;  // groups whose texels are loaded together
+  constexpr std::size_t most = 4;  // groups whose texels are loaded together
   constexpr auto lanes_each = static_cast<std::size_t>(wide_width);
   std::array<places, most> groups;
   for (std::size_t begin = 0; begin < asked.size(); begin += most * lanes_each) {

@@ -48,7 +48,7 @@ class shaded_fibres {
   const scene& world_;
   const raster& from_;
   std::vector<std::uint32_t> first_;  ///< per point, its place; those between it and the next point follow
-  std::vector<glm::vec3> place_;      ///< radiance
+  big_array<glm::vec3> place_;        ///< radiance
 };
 
 }  // namespace pelage::frame

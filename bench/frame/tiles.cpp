@@ -13,6 +13,17 @@ namespace {
 
 constexpr std::size_t chunk = 8192;  ///< segments that one task bins
 
+/// Tiles, [x0, x1) × [y0, y1).
+struct tile_range {
+  std::uint16_t x0, y0, x1, y1;
+};
+
+tile_range tiles_of(const pixel_rect& r) {
+  if (r.x0 >= r.x1 || r.y0 >= r.y1) return {0, 0, 0, 0};
+  const auto tile = [](int pixel) { return static_cast<std::uint16_t>(pixel / tiles::side); };
+  return {tile(r.x0), tile(r.y0), tile(r.x1 + tiles::side - 1), tile(r.y1 + tiles::side - 1)};
+}
+
 }  // namespace
 
 tiles::tiles(const raster& from, std::span<const float> limit, std::span<const std::uint32_t> drawing_order)
@@ -25,14 +36,14 @@ tiles::tiles(const raster& from, std::span<const float> limit, std::span<const s
   const auto tile_count = static_cast<std::size_t>(count());
 
   // Two rounds of the same walk, to count and to fill, so that each chunk knows where in a tile's list it begins.
-  std::vector<pixel_rect> bounds(segments);
+  big_array<tile_range> touched(segments);
   std::vector<std::size_t> place(chunks * tile_count, 0);
   const auto walk = [&](std::size_t c, auto&& visit) {
     for (std::size_t i = c * chunk; i < std::min(segments, (c + 1) * chunk); ++i) {
       const std::uint32_t segment = drawing_order.empty() ? static_cast<std::uint32_t>(i) : drawing_order[i];
-      const pixel_rect& r = bounds[segment];
-      for (int y = r.y0 / side; y * side < r.y1; ++y) {
-        for (int x = r.x0 / side; x * side < r.x1; ++x) {
+      const tile_range& r = touched[segment];
+      for (int y = r.y0; y < r.y1; ++y) {
+        for (int x = r.x0; x < r.x1; ++x) {
           visit(place[c * tile_count + static_cast<std::size_t>(y * across_ + x)], segment);
         }
       }
@@ -41,7 +52,7 @@ tiles::tiles(const raster& from, std::span<const float> limit, std::span<const s
   const occluder hidden(from, limit);
   tbb::parallel_for(0U, from.fibres().segment_count(), [&](std::uint32_t s) {
     const pixel_rect box = from.bounds(s);
-    bounds[s] = hidden.hides(s, box) ? pixel_rect{0, 0, 0, 0} : box;
+    touched[s] = hidden.hides(s, box) ? tile_range{0, 0, 0, 0} : tiles_of(box);
   });
   tbb::parallel_for(std::size_t{0}, chunks,
                     [&](std::size_t c) { walk(c, [](std::size_t& n, std::uint32_t) { ++n; }); });

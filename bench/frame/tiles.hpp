@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "frame/big_array.hpp"
 #include "frame/raster.hpp"
 
 namespace pelage::frame {
@@ -27,7 +28,7 @@ class tiles {
  private:
   int width_, height_, across_, down_;
   std::vector<std::size_t> first_;  ///< count() + 1 positions in entry_
-  std::vector<std::uint32_t> entry_;
+  big_array<std::uint32_t> entry_;
 };
 
 }  // namespace pelage::frame

@@ -14,9 +14,9 @@ namespace {
 constexpr std::uint32_t begins_strand = 0x80000000U;
 constexpr std::uint32_t ends_strand = 0x40000000U;
 
-template <class T>
-void upload_all(device& to, std::uint32_t binding, const std::vector<T>& values) {
-  to.resize(binding, values.size() * sizeof(T));
+template <class Values>
+void upload_all(device& to, std::uint32_t binding, const Values& values) {
+  to.resize(binding, values.size() * sizeof(values[0]));
   to.upload(binding, std::as_bytes(std::span(values)));
 }
 
