@@ -107,7 +107,7 @@ lane_points<seen_lanes::width> shaded_fibres::at(const seen_lanes& all) const {
     }
     return found;
   }
-  const auto look_up = [](const std::vector<std::uint32_t>& table, integers at) {
+  const auto look_up = [](std::span<const std::uint32_t> table, integers at) {
     return reinterpret_cast<integers>(
         gathered<seen_lanes::width>(reinterpret_cast<const float*>(table.data()), at).lane);
   };
