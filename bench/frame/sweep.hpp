@@ -30,9 +30,14 @@ class raster::sweep {
 
   void load(std::span<const std::uint32_t> segments);
 
-  /// Queues the pixels near one of the segments; calls `look()` whenever a vector of them waits.
+  /// Queues the pixels near one of the segments; calls `look(first, count)` for those that wait, before there are too
+  /// many.
   template <class Look>
   void queue(int lane, const outline<float>& near, Look&& look);
+
+  /// The same for as many as fill vectors.
+  template <class Look>
+  void look_at_whole(Look&& look);
 
   /// What the segments leave in the pixels of `place` that wait there.
   [[nodiscard]] touches look_at(integers place) const;
@@ -56,12 +61,15 @@ class raster::sweep {
   static constexpr int coordinate_bits = 14;
   static constexpr int coordinate_mask = (1 << coordinate_bits) - 1;
 
+  static constexpr int rows_at_most = width * width;  ///< pixels that are queued without a look at how many wait
+  static constexpr int capacity = 2 * rows_at_most;
+
   const raster& from_;
   pixel_rect clip_;
   integers number_;  ///< of each segment
   projected_point<pack> start_, end_;
   pack end_on_;  ///< 1 where the segment is seen end on, else 0
-  alignas(64) std::array<int, 2 * width> waiting_;
+  alignas(64) std::array<int, capacity + width> waiting_;
   int count_ = 0;
 };
 
@@ -102,9 +110,9 @@ void raster::sweep::draw(std::span<const std::uint32_t> segments, Visit&& visit)
   near.slope.store(slope);
   near.half.store(half);
 
-  const auto look = [&] {
-    touches found = look_at(load(waiting_.data()));
-    if (count_ < width) found.set &= (1U << count_) - 1U;
+  const auto look = [&](int first, int count) {
+    touches found = look_at(load(waiting_.data() + first));
+    if (count < width) found.set &= (1U << count) - 1U;
     if (found.set != 0) visit(found);
   };
   const std::uint32_t wide = bits(near.fails > pack(0.0F));
@@ -113,8 +121,18 @@ void raster::sweep::draw(std::span<const std::uint32_t> segments, Visit&& visit)
     if ((wide >> k & 1U) != 0) one = from_.wide_outline_of(segments[k]);
     queue(static_cast<int>(k), one, look);
   }
-  if (count_ > 0) look();
+  look_at_whole(look);
+  if (count_ > 0) look(0, count_);
   count_ = 0;
+}
+
+template <class Look>
+void raster::sweep::look_at_whole(Look&& look) {
+  int first = 0;
+  for (; first + width <= count_; first += width)
+    look(first, width);
+  count_ -= first;
+  store(load(waiting_.data() + first), waiting_.data());
 }
 
 inline void raster::sweep::load(std::span<const std::uint32_t> segments) {
@@ -159,15 +177,16 @@ void raster::sweep::queue(int lane, const outline<float>& near, Look&& look) {
     const int rows = std::min(y1 - y, width);
     for (int row = 0; row < rows; ++row) {
       int place = places[row];
-      for (int rest = counts[row]; rest > 0; rest -= width, place += width) {
+      int rest = counts[row];
+      for (; rest > width; rest -= width, place += width) {
         store(iota() + place, waiting_.data() + count_);
-        count_ += std::min(rest, width);
-        if (count_ < width) continue;
-        look();
-        count_ -= width;
-        store(load(waiting_.data() + width), waiting_.data());
+        count_ += width;
+        look_at_whole(look);
       }
+      store(iota() + place, waiting_.data() + count_);
+      count_ += rest;
     }
+    if (count_ >= capacity - rows_at_most) look_at_whole(look);
   }
 }
 
