@@ -93,7 +93,7 @@ def headline(program, picture):
             exact = [p for p in of_view if p["name"] in (name, name + "_light_16", name + "_camera_16")]
             row.append(f"{sum(p['milliseconds'] for p in exact):10.3f}" if exact else f"{'':10}")
         print(f"{name:20}" + "".join(row))
-    print(f"{'fragments, millions':20}" + "".join(f"{v['fragments'] / 1e6:10.1f}" for v in report["views"]))
+    print("millions of fragments, view by view: " + ", ".join(f"{v['fragments'] / 1e6:.1f}" for v in report["views"]))
     print(
         f"{report['milliseconds']:.2f} ms a frame, {report['same_hash']} of {report['frames']} frames are "
         f"{report['hash']}, {report['device_bytes'] / 1e6:.0f} MB"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace pelage::frame::vulkan {
@@ -35,48 +36,23 @@ std::uint32_t z_order(const glm::vec3& p, const glm::vec3& lower, const glm::vec
   return spread(cell.x) | spread(cell.y) << 1U | spread(cell.z) << 2U;
 }
 
-/// The segments of a strand, [first, end), and where it grows.
-struct strand_range {
-  std::uint32_t key, first, end;
-};
-
-std::vector<strand_range> strands_by_root(const strands& fibres) {
+/// Segments that lie near each other side by side, of whichever strand: the invocations of a subgroup draw to the same
+/// few pixels, and what they load and store lies together.
+std::vector<std::uint32_t> drawn_together(const strands& fibres) {
   glm::vec3 lower(std::numeric_limits<float>::infinity());
   glm::vec3 upper(-std::numeric_limits<float>::infinity());
   for (const glm::vec3& p : fibres.point) {
     lower = glm::min(lower, p);
     upper = glm::max(upper, p);
   }
-  std::vector<strand_range> all;
+  std::vector<std::uint32_t> key(fibres.segment_count());
   for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
     const std::uint32_t i = fibres.segment[s];
-    if ((fibres.end_of[i] & strands::first) != 0) all.push_back({z_order(fibres.point[i], lower, upper - lower), s, s});
-    all.back().end = s + 1;
+    key[s] = z_order(0.5F * (fibres.point[i] + fibres.point[i + 1]), lower, upper - lower);
   }
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.key < b.key; });
-  return all;
-}
-
-/// Neighbouring strands side by side, a few segments of each at a time: the invocations of a subgroup draw to the same
-/// few pixels, and what they load and store lies together.
-std::vector<std::uint32_t> drawn_together(const strands& fibres) {
-  const std::size_t side_by_side = 32;
-  const std::uint32_t at_a_time = 4;
-  const std::vector<strand_range> all = strands_by_root(fibres);
-  std::vector<std::uint32_t> order;
-  order.reserve(fibres.segment_count());
-  for (std::size_t group = 0; group < all.size(); group += side_by_side) {
-    const auto some = std::span(all).subspan(group, std::min(side_by_side, all.size() - group));
-    std::uint32_t longest = 0;
-    for (const strand_range& s : some)
-      longest = std::max(longest, s.end - s.first);
-    for (std::uint32_t from = 0; from < longest; from += at_a_time) {
-      for (const strand_range& s : some) {
-        for (std::uint32_t i = s.first + from; i < std::min(s.end, s.first + from + at_a_time); ++i)
-          order.push_back(i);
-      }
-    }
-  }
+  std::vector<std::uint32_t> order(fibres.segment_count());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; });
   return order;
 }
 

@@ -31,12 +31,14 @@ enum binding : std::uint32_t {
   link_buffer,
   slot_buffer,
   cell_buffer,
-  blended_buffer
+  blended_buffer,
+  stamp_buffer,
+  block_limit_buffer
 };
 
 /// The words of shaders/scene.glsl's report of a view.
 struct view_report {
-  std::uint32_t fragments, longest, refused, taken;
+  std::uint32_t fragments, longest, refused, taken, stamps;
 };
 
 /// Uploads what does not change from frame to frame: the strands and the order of drawing them. Without a given order

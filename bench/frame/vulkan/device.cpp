@@ -15,7 +15,7 @@
 namespace pelage::frame::vulkan {
 namespace {
 
-constexpr std::uint32_t bindings = 22;  ///< of shaders/scene.glsl and what includes it
+constexpr std::uint32_t bindings = 24;  ///< of shaders/scene.glsl and what includes it
 constexpr std::uint32_t push_bytes = 16;
 constexpr VkDeviceSize staging_bytes = VkDeviceSize{16} << 20U;
 

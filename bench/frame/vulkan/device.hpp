@@ -28,7 +28,9 @@ struct step {
   std::uint32_t value;        ///< to fill it with
   std::uint64_t invocations;  ///< or subgroups, of a kernel that works in these
   bool by_subgroup;
+  std::uint32_t views;              ///< layers of workgroups
   std::vector<std::uint32_t> push;  ///< the push constants
+  bool beside = false;              ///< it need not wait for the step before, and shares its time
 };
 
 /// A Vulkan device without a screen, and the buffers that all kernels see: buffer i is bound to binding i, and

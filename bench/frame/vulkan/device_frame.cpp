@@ -66,14 +66,14 @@ class session {
         k_(settings.k),
         shadows_(has_shadows(settings.shown)),
         light_plan_(plan_of(settings, false)),
-        camera_plan_(plan_of(settings, true)) {
+        camera_plan_(plan_of(settings, true)),
+        constants_(make_scene_block(set, settings)) {
     if (needs_64_bit_atomics(settings) && !device_.has_64_bit_atomics()) {
       throw std::runtime_error("--device vulkan: " + device_.name() +
                                " has no 64-bit atomics for --order atomic_k_buffer or --blend depth_peeling");
     }
-    const scene_block constants = make_scene_block(set, settings);
-    device_.resize(scene_buffer, sizeof constants);
-    device_.upload(scene_buffer, std::as_bytes(std::span(&constants, 1)));
+    device_.resize(scene_buffer, sizeof constants_);
+    upload_constants();
     upload_fibres(device_, set.fibres, set.drawing_order);
     make_buffers();
   }
@@ -92,7 +92,7 @@ class session {
     std::vector<view_report> last(set_.lights.size() + 1);
     device_.download(report_buffer, std::as_writable_bytes(std::span(last)));
     std::vector<device_frame::fragments> all;
-    for (const std::uint32_t v : views())
+    for (std::uint32_t v = first_view(); v <= camera(); ++v)
       all.push_back({counted_[v].fragments, counted_[v].longest, last[v].refused});
     return all;
   }
@@ -109,39 +109,66 @@ class session {
     const auto rounded = [](int n) { return static_cast<std::uint64_t>((n + 7) / 8 * 8); };
     return rounded(view_of(v).width) * rounded(view_of(v).height);
   }
-  [[nodiscard]] std::vector<std::uint32_t> views() const {
-    std::vector<std::uint32_t> all;
-    for (std::uint32_t v = shadows_ ? 0 : camera(); v <= camera(); ++v)
-      all.push_back(v);
+  [[nodiscard]] std::uint32_t first_view() const { return shadows_ ? 0 : camera(); }
+
+  /// Views that one step works for.
+  struct view_range {
+    std::string name;
+    std::uint32_t first, end;
+  };
+  [[nodiscard]] view_range only(std::uint32_t v) const {
+    return {v == camera() ? "camera" : fmt::format("light {}", v + 1), v, v + 1};
+  }
+  [[nodiscard]] view_range lights() const { return {"lights", first_view(), camera()}; }
+  [[nodiscard]] view_range all_views() const {
+    return shadows_ ? view_range{"all", first_view(), camera() + 1} : only(camera());
+  }
+  [[nodiscard]] std::vector<view_range> one_by_one() const {
+    std::vector<view_range> all;
+    for (std::uint32_t v = first_view(); v <= camera(); ++v)
+      all.push_back(only(v));
     return all;
   }
-  [[nodiscard]] std::string view_name(std::uint32_t v) const {
-    return v == camera() ? "camera" : fmt::format("light {}", v + 1);
-  }
 
-  void fill(std::vector<step>& to, std::uint32_t v, const std::string& what, std::uint32_t binding,
+  [[nodiscard]] std::uint64_t invocations(const view_range& views, over what) const {
+    if (what == over::segments) return set_.fibres.segment_count();
+    if (what == over::points) return set_.fibres.point.size();
+    std::uint64_t most = 0;
+    for (std::uint32_t v = views.first; v < views.end; ++v) {
+      most = std::max(most, what == over::stamps ? std::uint64_t{constants_.views[v].stamp_count} : blocks(v));
+    }
+    return most;
+  }
+  void fill(std::vector<step>& to, const view_range& views, const std::string& what, std::uint32_t binding,
             std::uint32_t value) const {
-    to.push_back({view_name(v), "clear " + what, "", binding, value, 0, false, {}});
+    to.push_back({views.name, "clear " + what, "", binding, value, 0, false, 1, {}, false});
   }
-  void run(std::vector<step>& to, std::uint32_t v, const std::string& kernel, over what) const {
-    to.push_back({view_name(v),
+  void run(std::vector<step>& to, const view_range& views, const std::string& kernel, over what) const {
+    to.push_back({views.name,
                   kernel,
                   kernel,
                   0,
                   0,
-                  what == over::segments ? set_.fibres.segment_count() : blocks(v),
+                  invocations(views, what),
                   what == over::subgroups,
-                  {v, capacity_, plan_for(v).lists, k_}});
+                  views.end - views.first,
+                  {views.first, capacity_, plan_for(views.first).lists, k_},
+                  false});
   }
-  void run(std::vector<step>& to, std::uint32_t v, const std::vector<plan::pass>& passes) const {
+  void run(std::vector<step>& to, const view_range& views, const std::vector<plan::pass>& passes) const {
     for (const plan::pass& p : passes)
-      run(to, v, p.kernel, p.what);
+      run(to, views, p.kernel, p.what);
   }
 
+  void upload_constants() { device_.upload(scene_buffer, std::as_bytes(std::span(&constants_, 1))); }
   void make_buffers();
   [[nodiscard]] std::vector<view_report> run_and_read(const std::vector<step>& steps);
+  void begin(std::vector<step>& to) const;
   void measure();
+  void make_room();
   void tally();
+  void build(const view_range& views);
+  void finish(const view_range& views);
   void make_frame();
 
   device device_;
@@ -150,6 +177,7 @@ class session {
   bool shadows_;
   plan light_plan_;
   plan camera_plan_;
+  scene_block constants_;
   std::uint32_t capacity_ = 0;
   std::vector<view_report> counted_;
   std::vector<step> frame_;
@@ -158,33 +186,38 @@ class session {
 void session::make_buffers() {
   std::uint64_t all = 0;
   std::uint64_t most = 0;
+  std::uint64_t all_blocks = 0;
   for (std::uint32_t v = 0; v <= camera(); ++v) {
     all += pixels(v);
+    all_blocks += blocks(v) / 64;
     most = std::max(most, pixels(v));
   }
   const std::uint64_t points = set_.fibres.point.size();
   device_.resize(limit_buffer, all * sizeof(float));
+  device_.resize(block_limit_buffer, all_blocks * sizeof(float));
   device_.resize(sample_buffer, pixels(camera()) * 10 * sizeof(float));
-  device_.resize(count_buffer, most * sizeof(std::uint32_t));
-  device_.resize(run_buffer, most * 2 * sizeof(std::uint32_t));
+  device_.resize(count_buffer, all * sizeof(std::uint32_t));
+  device_.resize(run_buffer, all * 2 * sizeof(std::uint32_t));
   device_.resize(report_buffer, (set_.lights.size() + 1) * sizeof(view_report));
   device_.resize(seen_buffer, points * sizeof(std::uint32_t));
   device_.resize(shaded_buffer, points * 2 * sizeof(std::uint32_t));
   device_.resize(picture_buffer, pixels(camera()) * 3 * sizeof(float));
   device_.resize(pool_buffer, 0);
   device_.resize(record_buffer, 0);
+  device_.resize(stamp_buffer, 0);
   const std::uint64_t texels = all - pixels(camera());
   device_.resize(cell_buffer, (light_plan_.maps || camera_plan_.maps ? all : 0) * 12 * sizeof(std::uint32_t));
   device_.resize(blended_buffer, pixels(camera()) * camera_plan_.blended * sizeof(std::uint32_t));
   measure();
-  const std::uint64_t entries = light_plan_.whole ? camera() * std::uint64_t{capacity_} : texels * k_;
+  make_room();
+  const std::uint64_t entries = light_plan_.whole ? capacity_ : texels * k_;
   const std::uint64_t lists = std::max(light_plan_.lists, camera_plan_.lists);
   const std::uint64_t links = lists == 0 ? 0 : lists * most + capacity_;
   if (links > 0xff000000U || entries > 0xffffffffU) {
     throw std::runtime_error("--device vulkan: the frame has more fragments than can be numbered");
   }
   device_.resize(pool_buffer, std::uint64_t{capacity_} * 2 * sizeof(std::uint32_t));
-  device_.resize(texel_buffer, (light_plan_.pool ? texels : 0) * 4 * sizeof(std::uint32_t));
+  device_.resize(texel_buffer, (light_plan_.pool ? texels : 0) * 8 * sizeof(std::uint32_t));
   device_.resize(entry_buffer, (light_plan_.pool ? entries : 0) * 2 * sizeof(std::uint32_t));
   device_.resize(link_buffer, links * sizeof(std::uint32_t));
   device_.resize(slot_buffer, most * std::max(light_plan_.slots, camera_plan_.slots) * sizeof(std::uint64_t));
@@ -201,48 +234,89 @@ std::vector<view_report> session::run_and_read(const std::vector<step>& steps) {
   return read;
 }
 
-/// Finds how many places the view that has most fragments wants in the pool.
+/// What every frame begins with.
+void session::begin(std::vector<step>& to) const {
+  fill(to, all_views(), "reports", report_buffer, 0);
+  fill(to, all_views(), "seen", seen_buffer, 0);
+  fill(to, all_views(), "block limits", block_limit_buffer, 0);
+  run(to, all_views(), "opaque", over::pixels);
+}
+
+/// Finds how many fragments each view that holds them has at most.
 void session::measure() {
   std::vector<step> steps;
-  fill(steps, camera(), "reports", report_buffer, 0);
-  fill(steps, camera(), "seen", seen_buffer, 0);
-  for (const std::uint32_t v : views()) {
-    if (!plan_for(v).pool) continue;
-    run(steps, v, "opaque", over::pixels);
-    fill(steps, v, "counts", count_buffer, 0);
-    run(steps, v, {{"count", over::segments}, {"allocate", over::pixels}});
+  begin(steps);
+  fill(steps, all_views(), "counts", count_buffer, 0);
+  for (const view_range& views : one_by_one()) {
+    if (plan_for(views.first).pool) run(steps, views, {{"count", over::segments}, {"allocate", over::pixels}});
   }
   counted_ = run_and_read(steps);
-  for (const view_report& r : counted_)
-    capacity_ = std::max(capacity_, r.taken);
+}
+
+/// Gives each view its part of the pool and of the stamps. Runs lie one view's behind another's, but for the
+/// camera's records, which have memory of their own; lists have the pool to themselves, one view after another.
+void session::make_room() {
+  std::uint64_t stamps = 0;
+  std::uint64_t places = 0;
+  for (std::uint32_t v = first_view(); v <= camera(); ++v) {
+    const plan& p = plan_for(v);
+    const view_report& most = counted_[v];
+    const bool follows = p.runs && !(p.records && v == camera());
+    if (follows) constants_.views[v].first_place = static_cast<std::uint32_t>(places);
+    places = std::max<std::uint64_t>(follows ? places + most.taken : places, most.taken);
+    if (!p.runs) continue;
+    constants_.views[v].first_stamp = static_cast<std::uint32_t>(stamps);
+    constants_.views[v].stamp_count = set_.fibres.segment_count() + most.stamps;
+    stamps += constants_.views[v].stamp_count;
+  }
+  if (std::max(stamps, places) > 0xffffffffU) {
+    throw std::runtime_error("--device vulkan: the frame has more fragments than can be numbered");
+  }
+  capacity_ = static_cast<std::uint32_t>(places);
+  device_.resize(stamp_buffer, stamps * 4 * sizeof(std::uint32_t));
+  upload_constants();
 }
 
 /// Counts the fragments of every view once, for the report and for layers.
 void session::tally() {
   std::vector<step> steps;
-  fill(steps, camera(), "reports", report_buffer, 0);
-  for (const std::uint32_t v : views()) {
-    run(steps, v, "opaque", over::pixels);
-    fill(steps, v, "counts", count_buffer, 0);
-    run(steps, v, {{"count_drawn", over::segments}, {"tally", over::pixels}});
-  }
+  begin(steps);
+  fill(steps, all_views(), "counts", count_buffer, 0);
+  run(steps, all_views(), {{"count_drawn", over::segments}, {"tally", over::pixels}});
   counted_ = run_and_read(steps);
 }
 
+void session::build(const view_range& views) {
+  for (const plan::clearing& c : plan_for(views.first).clear)
+    fill(frame_, views, c.what, c.binding, c.value);
+  run(frame_, views, plan_for(views.first).build);
+}
+
+void session::finish(const view_range& views) {
+  const plan& p = plan_for(views.first);
+  if (views.first == camera()) {
+    const std::string maps = light_plan_.maps ? "_occupancy" : "";
+    run(frame_, views, {{"shade" + maps, over::points}, {"background" + maps, over::pixels}});
+    frame_.back().beside = true;
+    frame_.back().pass = (frame_.end() - 2)->pass = "shade, background";
+  }
+  for (std::uint32_t layer = 0; layer < (p.layer.empty() ? 0 : counted_[views.first].longest); ++layer)
+    run(frame_, views, p.layer);
+  run(frame_, views, p.finish);
+}
+
 void session::make_frame() {
-  const std::string maps = light_plan_.maps ? "_occupancy" : "";
-  fill(frame_, views().front(), "reports", report_buffer, 0);
-  if (light_plan_.maps || camera_plan_.maps) fill(frame_, views().front(), "maps", cell_buffer, 0);
-  for (const std::uint32_t v : views()) {
-    const plan& p = plan_for(v);
-    run(frame_, v, "opaque", over::pixels);
-    for (const plan::clearing& c : p.clear)
-      fill(frame_, v, c.what, c.binding, c.value);
-    run(frame_, v, p.build);
-    if (v == camera()) run(frame_, v, {{"shade" + maps, over::segments}, {"background" + maps, over::pixels}});
-    for (std::uint32_t layer = 0; layer < (p.layer.empty() ? 0 : counted_[v].longest); ++layer)
-      run(frame_, v, p.layer);
-    run(frame_, v, p.finish);
+  begin(frame_);
+  if (light_plan_.maps || camera_plan_.maps) fill(frame_, all_views(), "maps", cell_buffer, 0);
+  if (light_plan_.runs && camera_plan_.runs) {
+    build(all_views());
+    if (lights().end > 0 && shadows_) finish(lights());
+    finish(only(camera()));
+    return;
+  }
+  for (const view_range& views : one_by_one()) {
+    build(views);
+    finish(views);
   }
 }
 

@@ -11,6 +11,11 @@ namespace {
 
 constexpr std::uint32_t most_groups = 65535;  ///< along one axis, on any device
 
+/// Whether all has to be done before the step that follows.
+bool ends_alone(std::span<const step> steps, std::size_t i) {
+  return i + 1 == steps.size() || !steps[i + 1].beside;
+}
+
 }  // namespace
 
 void device::begin() {
@@ -76,7 +81,7 @@ void device::record(const step& s) {
   const std::uint64_t groups = std::max<std::uint64_t>((invocations + workgroup_ - 1) / workgroup_, 1);
   const std::uint64_t across = std::min<std::uint64_t>(groups, most_groups);
   vk_.vkCmdDispatch(record_, static_cast<std::uint32_t>(across),
-                    static_cast<std::uint32_t>((groups + across - 1) / across), 1);
+                    static_cast<std::uint32_t>((groups + across - 1) / across), s.views);
 }
 
 std::vector<double> device::run(std::span<const step> steps) {
@@ -95,20 +100,23 @@ std::vector<double> device::run(std::span<const step> steps) {
   vk_.vkCmdPipelineBarrier(record_, stages, stages, 0, 1, &all, 0, nullptr, 0, nullptr);
   vk_.vkCmdWriteTimestamp(record_, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries_, 0);
   std::uint32_t query = 0;
-  for (const step& s : steps) {
-    record(s);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    record(steps[i]);
+    if (!ends_alone(steps, i)) continue;
     vk_.vkCmdPipelineBarrier(record_, stages, stages, 0, 1, &all, 0, nullptr, 0, nullptr);
     vk_.vkCmdWriteTimestamp(record_, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries_, ++query);
   }
   submit("a frame");
-  std::vector<std::uint64_t> ticks(steps.size() + 1);
+  std::vector<std::uint64_t> ticks(query + 1);
   check(vk_.vkGetQueryPoolResults(device_, queries_, 0, query + 1, ticks.size() * sizeof(std::uint64_t), ticks.data(),
                                   sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
         "reading the clock");
   std::vector<double> milliseconds(steps.size());
-  for (std::size_t i = 0; i < steps.size(); ++i) {
+  for (std::size_t i = 0, t = 0; i < steps.size(); ++i) {
+    if (!ends_alone(steps, i)) continue;
     milliseconds[i] =
-        static_cast<double>(ticks[i + 1] - ticks[i]) * static_cast<double>(properties_.limits.timestampPeriod) * 1e-6;
+        static_cast<double>(ticks[t + 1] - ticks[t]) * static_cast<double>(properties_.limits.timestampPeriod) * 1e-6;
+    ++t;
   }
   return milliseconds;
 }

@@ -19,18 +19,18 @@ plan plan_by_order(const frame_settings& s, bool camera) {
   const std::string k = std::to_string(s.k);
   const plan::clearing counts{"counts", count_buffer, 0};
   const plan::clearing links{"links", link_buffer, 0xffffffffU};
-  const std::vector<plan::pass> runs{
-      {"count", over::segments}, {"allocate", over::pixels}, {"scatter", over::segments}};
+  const std::vector<plan::pass> runs{{"count", over::segments}, {"allocate", over::pixels}, {"scatter", over::stamps}};
   const std::vector<plan::pass> records{
-      {"count", over::segments}, {"allocate", over::pixels}, {"scatter_records", over::segments}};
+      {"count", over::segments}, {"allocate", over::pixels}, {"scatter_records", over::stamps}};
   plan p{};
   p.pool = true;
   switch (s.order) {
     case order_method::k_buffer:
       p.clear = {counts};
-      p.build = camera ? records : runs;
+      p.build = records;
+      p.runs = true;
       p.finish = {{"select_" + sink + "_" + k, over::subgroups}};
-      p.records = camera;
+      p.records = true;
       return p;
     case order_method::a_buffer:
       p.clear = {links};
@@ -61,6 +61,7 @@ plan plan_by_order(const frame_settings& s, bool camera) {
     case order_method::selection_sort:
       p.clear = {counts};
       p.build = runs;
+      p.runs = true;
       p.finish = {{"resolve_sorted_" + sink, over::pixels}};
       p.whole = true;
       return p;

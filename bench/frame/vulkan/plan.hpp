@@ -9,8 +9,8 @@
 
 namespace pelage::frame::vulkan {
 
-/// What the invocations of a pass are counted by.
-enum class over { segments, pixels, subgroups };
+/// What a pass has an invocation for; `subgroups`: a subgroup for each pixel.
+enum class over { segments, points, stamps, pixels, subgroups };
 
 /// How the fragments of a view become a map or a picture: which kernels run, and what memory they ask for.
 struct plan {
@@ -28,7 +28,8 @@ struct plan {
   std::vector<pass> layer;   ///< then, as many times as the deepest pixel has fragments
   std::vector<pass> finish;  ///< last: takes them out
   bool pool;                 ///< the structure holds each fragment
-  bool records;              ///< in runs of records
+  bool runs;                 ///< in runs, and its passes work for several views at once
+  bool records;              ///< the camera's of records
   bool whole;                ///< a light's texels keep all of theirs
   std::uint32_t lists;       ///< a pixel; 0: the pool is cut into runs
   std::uint32_t slots;       ///< of 8 bytes a pixel

@@ -24,7 +24,12 @@ float reach_of(const view& v) {
   return 1.001F * slant / (1.0F - 0.5F * slant * v.cone.slope);
 }
 
-scene_block::view_block block_of(const view& v, std::uint32_t first_pixel) {
+/// Blocks of shaders/scene.glsl.
+std::uint32_t blocks_of(const view& v) {
+  return static_cast<std::uint32_t>((v.width + 7) / 8 * ((v.height + 7) / 8));
+}
+
+scene_block::view_block block_of(const view& v, std::uint32_t first_pixel, std::uint32_t first_block) {
   scene_block::view_block b{};
   b.right = row(v.rotation, 0);
   b.scale = v.scale;
@@ -34,6 +39,7 @@ scene_block::view_block block_of(const view& v, std::uint32_t first_pixel) {
   b.perspective = v.perspective ? 1 : 0;
   b.eye = v.eye;
   b.first_pixel = first_pixel;
+  b.first_block = first_block;
   b.size = {v.width, v.height};
   b.cone_base = v.cone.base;
   b.cone_slope = v.cone.slope;
@@ -56,12 +62,14 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
   }
   scene_block b{};
   std::uint32_t pixels = 0;
+  std::uint32_t blocks = 0;
   for (std::size_t i = 0; i < set.lights.size(); ++i) {
     b.lights[i] = block_of(set.lights[i]);
-    b.views[i] = block_of(set.light_views[i], pixels);
+    b.views[i] = block_of(set.light_views[i], pixels, blocks);
     pixels += static_cast<std::uint32_t>(set.light_views[i].width * set.light_views[i].height);
+    blocks += blocks_of(set.light_views[i]);
   }
-  b.views[set.lights.size()] = block_of(set.eye, pixels);
+  b.views[set.lights.size()] = block_of(set.eye, pixels, blocks);
   for (std::size_t i = 0; i < set.opaque.parts.size(); ++i)
     b.parts[i] = {set.opaque.parts[i].centre, 0.0F, set.opaque.parts[i].radii, 0.0F};
   b.sky = set.sky;

@@ -28,7 +28,11 @@ struct scene_block {
     float cone_base;
     float cone_slope;
     float reach;
-    std::array<float, 3> unused;
+    std::uint32_t first_place;
+    std::uint32_t first_stamp;
+    std::uint32_t stamp_count;
+    std::uint32_t first_block;
+    std::array<std::uint32_t, 3> unused;
   };
   struct light_block {
     glm::vec3 position;
@@ -64,10 +68,11 @@ struct scene_block {
   std::uint32_t segment_count;
   std::array<std::uint32_t, 2> unused;
 };
-static_assert(sizeof(scene_block::view_block) == 96 && sizeof(scene_block::light_block) == 48 &&
-              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1600);
+static_assert(sizeof(scene_block::view_block) == 112 && sizeof(scene_block::light_block) == 48 &&
+              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1744);
 
-/// The constants of a frame; views[i].first_pixel counts the pixels of the views before.
+/// The constants of a frame; views[i].first_pixel and first_block count those of the views before. What depends on the
+/// number of fragments is 0.
 /// Throws std::runtime_error for more lights or opaque objects than the block holds.
 [[nodiscard]] scene_block make_scene_block(const stage& set, const frame_settings& settings);
 

@@ -28,8 +28,8 @@ vec3 solid_radiance(vec3 position, vec3 normal) {
 }
 
 vec3 seen_along(view_ray ray) {
-  const vec3 origin = VIEW.eye + direction_to_world(push.view, ray.origin);
-  const vec3 direction = direction_to_world(push.view, ray.direction);
+  const vec3 origin = VIEW.eye + direction_to_world(this_view(), ray.origin);
+  const vec3 direction = direction_to_world(this_view(), ray.direction);
   const vec3 far = sky_toward(direction);
   const solid_hit hit = hit_solids(origin, direction);
   if (isinf(hit.distance)) {
@@ -52,7 +52,7 @@ void main() {
   const uint side = scene.antialias ? 3u : 1u;
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < side * side; ++i) {
-    sum += seen_along(ray_through(push.view, sample_position(at, i, side)));
+    sum += seen_along(ray_through(this_view(), sample_position(at, i, side)));
   }
   sum /= float(side * side);
   const uint p = 3u * index_of(at);

@@ -7,7 +7,7 @@
 #include "draw.glsl"
 
 void visit(uint i, uint pixel, touch where) {
-  atomicAdd(counts[pixel], 1u);
+  atomicAdd(counts[VIEW.first_pixel + pixel], 1u);
 }
 
 void main() {

@@ -5,20 +5,22 @@
 #ifndef PELAGE_FRAME_LIGHT_SINK_GLSL
 #define PELAGE_FRAME_LIGHT_SINK_GLSL
 #include "pelage/glsl/composite/optical_depth.glsl"
-#include "scene.glsl"
+#include "texel.glsl"
 
 uint sink_first;
 uint sink_held;
 uint sink_optical;
+float sink_depth;
 uint sink_behind;
 float sink_farthest;
 
 /// `whole`: all fragments are kept, in entries as many as the pixel's run has.
 void sink_begin(ivec2 at, bool whole) {
-  const uint texel = VIEW.first_pixel + index_of(at);
-  sink_first = whole ? push.view * push.capacity + runs[index_of(at)].x : texel * push.k;
+  const uint pixel = VIEW.first_pixel + index_of(at);
+  sink_first = whole ? runs[pixel].x : pixel * push.k;
   sink_held = 0u;
   sink_optical = 0u;
+  sink_depth = 0.0;
   sink_behind = 0u;
   sink_farthest = 0.0;
 }
@@ -30,12 +32,13 @@ void sink_lose(pelage_fragment f) {
 
 void sink_keep(pelage_fragment f) {
   sink_optical = pelage_add_saturating(sink_optical, f.id);
+  sink_depth = f.depth;
   entries[sink_first + sink_held++] = uvec2(floatBitsToUint(f.depth), sink_optical);
 }
 
 void sink_finish(ivec2 at) {
-  texels[VIEW.first_pixel + index_of(at)] =
-      uvec4(sink_first, sink_held, sink_behind, floatBitsToUint(sink_farthest));
+  const uint pixel = VIEW.first_pixel + index_of(at);
+  put_texel(pixel, texel(sink_first, sink_held, sink_behind, sink_farthest, sink_depth, sink_optical, limits[pixel]));
 }
 
 #endif

@@ -13,8 +13,8 @@ uint view_pixels() {
 #define PELAGE_ATOMIC_LIST_STORAGE_LINKS_SIZE (push.lists * view_pixels() + push.capacity)
 #define PELAGE_ATOMIC_LIST_STORAGE_NODES(i) pool[i]
 #define PELAGE_ATOMIC_LIST_STORAGE_NODES_SIZE push.capacity
-#define PELAGE_ATOMIC_LIST_STORAGE_TAKEN reports[push.view].taken
-#define PELAGE_ATOMIC_LIST_STORAGE_REFUSED reports[push.view].refused
+#define PELAGE_ATOMIC_LIST_STORAGE_TAKEN reports[this_view()].taken
+#define PELAGE_ATOMIC_LIST_STORAGE_REFUSED reports[this_view()].refused
 #include "pelage/glsl/order/a_buffer.glsl"
 #include "pelage/glsl/order/ordered_list.glsl"
 

@@ -4,42 +4,46 @@
 #ifndef PELAGE_FRAME_NEAREST_SHADOW_GLSL
 #define PELAGE_FRAME_NEAREST_SHADOW_GLSL
 #include "pelage/glsl/composite/optical_depth.glsl"
-#include "scene.glsl"
+#include "texel.glsl"
 
 float entry_depth(uint i) {
   return uintBitsToFloat(entries[i].x);
 }
 
-/// What the texel lets through whose `before` first entries lie before a depth.
-float transmittance_behind(uvec4 texel, uint before, float depth) {
-  const uvec2 last = before > 0u ? entries[texel.x + before - 1u] : uvec2(0u);
-  uint optical = last.y;
-  if (before == texel.y && texel.z > 0u) {
+/// What a texel lets through whose `before` first entries lie before a depth.
+float transmittance_behind(texel t, uint before, float depth) {
+  if (depth > t.limit) {
+    return 0.0;
+  }
+  if (before < t.held) {
+    return pelage_transmittance_of(before > 0u ? entries[t.first + before - 1u].y : 0u);
+  }
+  uint optical = t.last_optical;
+  if (t.behind > 0u) {
     // Between the last entry and the farthest fragment the rest's optical depth grows linearly.
-    const float from = uintBitsToFloat(last.x);
-    const float span = uintBitsToFloat(texel.w) - from;
-    const float share = span > 0.0 ? pelage_saturate((depth - from) / span) : 1.0;
+    const float span = t.farthest - t.last_depth;
+    const float share = span > 0.0 ? pelage_saturate((depth - t.last_depth) / span) : 1.0;
     const float greatest = 4294967040.0;  // the last float below 2^32
-    optical = pelage_add_saturating(optical, uint(share * min(float(texel.z), greatest)));
+    optical = pelage_add_saturating(optical, uint(share * min(float(t.behind), greatest)));
   }
   return pelage_transmittance_of(optical);
 }
 
 /// What a square of four texels lets through, by rows. All four are searched at once: a search waits for each of its
-/// loads, and so four wait together.
+/// loads, and so four wait together. Behind a texel's last entry there is nothing to search.
 vec4 transmittance_in(uint pixel, uint below, float depth) {
-  const uvec4 place = uvec4(pixel, pixel + 1u, below, below + 1u);
-  uvec4 texel[4];
-  uvec4 before = uvec4(0u);
+  texel square[4] = texel[4](texel_in(pixel), texel_in(pixel + 1u), texel_in(below), texel_in(below + 1u));
+  uvec4 before;
   uint most = 0u;
   for (int t = 0; t < 4; ++t) {
-    texel[t] = texels[place[t]];
-    most = max(most, texel[t].y);
+    const bool is_search = square[t].held > 0u && !(square[t].last_depth < depth);
+    before[t] = is_search ? 0u : square[t].held;
+    most = max(most, is_search ? square[t].held : 0u);
   }
   for (uint stride = most > 0u ? 1u << uint(findMSB(most)) : 0u; stride > 0u; stride /= 2u) {
     float probe[4];
     for (int t = 0; t < 4; ++t) {
-      probe[t] = before[t] + stride <= texel[t].y ? entry_depth(texel[t].x + before[t] + stride - 1u) : depth;
+      probe[t] = before[t] + stride <= square[t].held ? entry_depth(square[t].first + before[t] + stride - 1u) : depth;
     }
     for (int t = 0; t < 4; ++t) {
       before[t] += probe[t] < depth ? stride : 0u;
@@ -47,7 +51,7 @@ vec4 transmittance_in(uint pixel, uint below, float depth) {
   }
   vec4 passed;
   for (int t = 0; t < 4; ++t) {
-    passed[t] = depth > limits[place[t]] ? 0.0 : transmittance_behind(texel[t], before[t], depth);
+    passed[t] = transmittance_behind(square[t], before[t], depth);
   }
   return passed;
 }

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // How far each pixel of a view sees: the depth of the opaque objects, of the camera's pixels by samples. In: the scene.
-// Out: limits, sample_depths. One invocation a pixel; bounded by the ellipsoids' arithmetic.
+// Out: limits, sample_depths, block_limits. One invocation a pixel; bounded by the ellipsoids' arithmetic.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
 #include "solids.glsl"
 
 void main() {
@@ -26,4 +27,8 @@ void main() {
     sample_depths[10u * index_of(at) + 9u] = nearest;
   }
   limits[VIEW.first_pixel + index_of(at)] = farthest;
+  const uint farthest_near = subgroupMax(floatBitsToUint(farthest));  // a subgroup lies in one block
+  if (subgroupElect()) {
+    atomicMax(block_limits[VIEW.first_block + block_index(at / block_side)], farthest_near);
+  }
 }

@@ -26,14 +26,14 @@ struct placed_segment {
 precise placed_segment place(uint i) {
   const vec4 a = points[i];
   const vec4 b = points[i + 1u];
-  return placed_segment(to_view(push.view, a.xyz), to_view(push.view, b.xyz), a.w, b.w);
+  return placed_segment(to_view(this_view(), a.xyz), to_view(this_view(), b.xyz), a.w, b.w);
 }
 
 /// Where a pixel's ray passes a segment that touches the pixel.
 precise touch touch_of(placed_segment s, ivec2 at) {
-  const view_ray ray = ray_through(push.view, vec2(at) + 0.5);
+  const view_ray ray = ray_through(this_view(), vec2(at) + 0.5);
   const pelage_closest_pair pair = pelage_closest_points(ray.origin, ray.direction, s.start, s.end);
-  const float disc = pelage_radius_at(cone_of(push.view), pair.along_ray);
+  const float disc = pelage_radius_at(cone_of(this_view()), pair.along_ray);
   const float fibre = s.start_radius + pair.along_segment * (s.end_radius - s.start_radius);
   const bool smooth_edges = scene.antialias || !is_camera();
   const float hit = pair.distance <= max(fibre, disc) ? 1.0 : 0.0;

@@ -11,7 +11,7 @@ void main() {
   if (!is_inside(at)) {
     return;
   }
-  const uint pixel = index_of(at);
+  const uint pixel = VIEW.first_pixel + index_of(at);
   const uint end = min(counts[pixel], runs[pixel].y);
   sink_begin(at, true);
   for (uint i = runs[pixel].x; i < end; ++i) {

@@ -9,7 +9,7 @@
 layout(local_size_x_id = 0) in;
 
 layout(push_constant) uniform push_block {
-  uint view;      ///< which of scene.views
+  uint view;      ///< which of scene.views, of a dispatch for several the first
   uint capacity;  ///< fragments that the pool holds
   uint lists;     ///< a pixel's lists, of the methods that have them
   uint k;         ///< fragments kept a pixel, for the methods that are not compiled for one
@@ -28,6 +28,10 @@ struct view_block {
   float cone_base;
   float cone_slope;
   float reach;  ///< pixels beside a fibre's axis that it may touch: this times its radius in pixels and a half
+  uint first_place;  ///< of the pool, for this view's runs
+  uint first_stamp;
+  uint stamp_count;
+  uint first_block;  ///< in block_limits
 };
 
 struct light_block {
@@ -51,6 +55,7 @@ struct view_report {
   uint longest;    ///< fragments of the pixel that has most
   uint refused;    ///< that found no place
   uint taken;      ///< nodes or places of the pool in use
+  uint stamps;     ///< beside the first of each segment
 };
 
 layout(std140, binding = 0) uniform scene_block {
@@ -93,21 +98,26 @@ layout(std430, binding = 5) readonly buffer segment_buffer { uint segments[]; };
 layout(std430, binding = 6) buffer record_buffer { uvec4 records[]; };  ///< a fragment, its coverage, where it lies
 layout(std430, binding = 7) buffer limit_buffer { float limits[]; };  ///< a pixel of a view: hidden from this depth on
 layout(std430, binding = 8) buffer sample_buffer { float sample_depths[]; };  ///< of the camera: nine, then their least
-layout(std430, binding = 9) buffer count_buffer { uint counts[]; };  ///< room a pixel wants, then its next free place
-layout(std430, binding = 10) buffer run_buffer { uvec2 runs[]; };  ///< a pixel's part of the pool, [x, y)
+layout(std430, binding = 9) buffer count_buffer { uint counts[]; };  ///< a view's pixel: its room, then the next place
+layout(std430, binding = 10) buffer run_buffer { uvec2 runs[]; };  ///< a view's pixel: its part of the pool, [x, y)
 layout(std430, binding = 11) LIVE buffer pool_buffer { pelage_fragment pool[]; };
-layout(std430, binding = 12) buffer texel_buffer { uvec4 texels[]; };   ///< a pixel of a light: see light_sink.glsl
 layout(std430, binding = 13) buffer entry_buffer { uvec2 entries[]; };  ///< depth, optical depth up to and including
 layout(std430, binding = 14) buffer shaded_buffer { uvec2 shaded[]; };  ///< a point: radiance, opacity; four halves
 layout(std430, binding = 15) buffer seen_buffer { uint seen[]; };  ///< a point: the camera sees the segment from it on
 layout(std430, binding = 16) buffer picture_buffer { float picture[]; };  ///< linear RGB
 layout(std430, binding = 17) buffer report_buffer { view_report reports[]; };  ///< one a view
 layout(std430, binding = 18) LIVE buffer link_buffer { uint links[]; };
+layout(std430, binding = 23) buffer block_limit_buffer { uint block_limits[]; };  ///< the farthest limit of a block
 
-#define VIEW scene.views[push.view]
+/// The view that this workgroup works for: of a dispatch for several, one a layer of workgroups.
+uint this_view() {
+  return push.view + gl_WorkGroupID.z;
+}
+
+#define VIEW scene.views[this_view()]
 
 bool is_camera() {
-  return push.view == scene.light_count;
+  return this_view() == scene.light_count;
 }
 
 /// The number of this invocation in a dispatch of any shape.
@@ -116,9 +126,16 @@ uint invocation() {
   return group * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
 }
 
-/// The pixel of an invocation, block by block of 8 × 8: neighbours have lists of like length. May lie outside.
+const int block_side = 8;
+
+/// The number of a block of 8 × 8 pixels.
+uint block_index(ivec2 block) {
+  return uint(block.y * ((VIEW.size.x + block_side - 1) / block_side) + block.x);
+}
+
+/// The pixel of an invocation, block by block: neighbours have lists of like length. May lie outside.
 ivec2 pixel_of(uint i) {
-  const uint across = uint(VIEW.size.x + 7) / 8u;
+  const uint across = uint(VIEW.size.x + block_side - 1) / uint(block_side);
   const uint block = i / 64u;
   return ivec2(8u * (block % across) + i % 8u, 8u * (block / across) + i / 8u % 8u);
 }

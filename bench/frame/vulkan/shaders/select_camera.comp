@@ -8,17 +8,30 @@
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_shuffle : require
-#extension GL_KHR_shader_subgroup_shuffle_relative : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #include "nearest.glsl"
 #include "camera_sink.glsl"
 
-/// The K nearest of each subgroup's pixel, nearest first: radiance, opacity and coverage.
-shared vec4 held_colour[gl_WorkGroupSize.x / lanes * uint(K)];
-shared float held_coverage[gl_WorkGroupSize.x / lanes * uint(K)];
-
 pelage_fragment offered_at(uint i) {
   return pelage_fragment(uintBitsToFloat(records[i].x), records[i].y);
+}
+
+void look_at(pelage_fragment f) {}
+
+/// What a record tells of its fragment.
+seen_fibre see_record(uvec4 record) {
+  return see(record.y, touch(uintBitsToFloat(record.x), uintBitsToFloat(record.z), uintBitsToFloat(record.w)));
+}
+
+/// The K nearest over each other, in all lanes.
+void add_nearest(uint held) {
+  for (uint row = 0u; row * lanes < held; ++row) {
+    const seen_fibre mine = see_record(records[row * lanes + gl_SubgroupInvocationID < held ? nearest[row].z : 0u]);
+    for (uint lane = 0u; lane < min(held - row * lanes, lanes); ++lane) {
+      sink_add(seen_fibre(subgroupShuffle(mine.radiance, lane), subgroupShuffle(mine.opacity, lane),
+                          subgroupShuffle(mine.coverage, lane)));
+    }
+  }
 }
 
 pelage_tail sum_over_lanes(pelage_tail t) {
@@ -36,38 +49,24 @@ void main() {
   if (!is_inside(at)) {
     return;
   }
-  const uint pixel = index_of(at);
+  const uint pixel = VIEW.first_pixel + index_of(at);
   const uint begin = runs[pixel].x;
   const uint end = min(counts[pixel], runs[pixel].y);
   if (begin == end) {
     return;  // the background is there already
   }
+  const uint held = min(end - begin, uint(K));
   select_nearest(begin, end);
   sink_begin(at, false);
-  const uvec2 last = kth();
-  const uint first_held = gl_SubgroupID * uint(K);
-  for (uint from = begin; from < end; from += lanes) {
-    const uint i = from + gl_SubgroupInvocationID;
-    const uvec4 record = records[min(i, end - 1u)];
-    const uvec2 key = key_of(pelage_fragment(uintBitsToFloat(record.x), record.y));
-    const uint slot = slot_of(key);
-    if (i < end) {
-      const seen_fibre fibre = see(record.y, touch(uintBitsToFloat(record.x), uintBitsToFloat(record.z),
-                                                   uintBitsToFloat(record.w)));
-      if (key_before(last, key)) {
-        sink_put_behind(fibre);
-      } else {
-        held_colour[first_held + slot] = vec4(fibre.radiance, fibre.opacity);
-        held_coverage[first_held + slot] = fibre.coverage;
+  add_nearest(held);
+  if (end - begin > held) {
+    const uvec3 last = in_slot(uint(K) - 1u);
+    for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
+      const uvec4 record = records[i];
+      if (key_before(last, uvec3(pelage_depth_key(uintBitsToFloat(record.x)), record.yz))) {
+        sink_put_behind(see_record(record));
       }
     }
-  }
-  subgroupMemoryBarrierShared();
-  subgroupBarrier();
-  for (uint slot = first_held; slot < first_held + min(end - begin, uint(K)); ++slot) {
-    sink_add(seen_fibre(held_colour[slot].rgb, held_colour[slot].a, held_coverage[slot]));
-  }
-  if (end - begin > uint(K)) {
     sink_behind = sum_over_lanes(sink_behind);
   }
   if (subgroupElect()) {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // Lights the strands' points that the camera sees. In: points and what they are made of, seen, the lights' maps. Out:
-// shaded. One invocation a segment; bounded by the maps' scattered loads, some 30 a light.
+// shaded. One invocation a point; bounded by the maps' scattered loads, some 30 a light.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "pelage/glsl/bsdf/kajiya_kay.glsl"
@@ -31,18 +31,10 @@ void shade(uint i) {
   shaded[i] = uvec2(packHalf2x16(held.xy), packHalf2x16(vec2(held.z, opacity)));
 }
 
-/// Each segment's first point, and the last one of a strand.
+/// The points of the segments that are seen: no segment begins at the last point of a strand.
 void main() {
-  const uint s = invocation();
-  if (s >= scene.segment_count) {
-    return;
-  }
-  const uint word = segments[s];
-  const uint i = word & point_mask;
-  if (seen[i] != 0u || ((word & begins_strand) == 0u && seen[i - 1u] != 0u)) {
+  const uint i = invocation();
+  if (i < uint(points.length()) && (seen[i] != 0u || seen[max(i, 1u) - 1u] != 0u)) {
     shade(i);
-  }
-  if ((word & ends_strand) != 0u && seen[i] != 0u) {
-    shade(i + 1u);
   }
 }

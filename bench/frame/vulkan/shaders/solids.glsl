@@ -52,9 +52,9 @@ vec3 shading_normal(vec3 p) {
 
 /// View depth of the nearest opaque object along the ray through pixel coordinates.
 float opaque_depth(vec2 pixel) {
-  const view_ray ray = ray_through(push.view, pixel);
-  const vec3 origin = VIEW.eye + direction_to_world(push.view, ray.origin);
-  return hit_solids(origin, direction_to_world(push.view, ray.direction)).distance;
+  const view_ray ray = ray_through(this_view(), pixel);
+  const vec3 origin = VIEW.eye + direction_to_world(this_view(), ray.origin);
+  return hit_solids(origin, direction_to_world(this_view(), ray.direction)).distance;
 }
 
 /// Where one of the nine samples of a pixel lies, or the only one.

@@ -8,7 +8,8 @@
 void main() {
   const ivec2 at = pixel_of(invocation());
   if (is_inside(at)) {
-    atomicAdd(reports[push.view].fragments, counts[index_of(at)]);
-    atomicMax(reports[push.view].longest, counts[index_of(at)]);
+    const uint count = counts[VIEW.first_pixel + index_of(at)];
+    atomicAdd(reports[this_view()].fragments, count);
+    atomicMax(reports[this_view()].longest, count);
   }
 }
