@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
+// Calls: of our own functions, of what std:: and glm:: have, and operators.
 #include "names.hpp"
 #include "translator.hpp"
 
@@ -9,9 +10,49 @@ using namespace clang;
 
 namespace {
 
-bool is_array_type(QualType t) {
-  const CXXRecordDecl* r = t.getNonReferenceType()->getAsCXXRecordDecl();
-  return r != nullptr && r->isInStdNamespace() && r->getName() == "array";
+/// What a function's result is: a float, a vector of floats, a count of bits of a 32-bit word, or anything else.
+enum class result_kind { scalar, vector, bits, other };
+
+/// A call written in GLSL: {0}, {1} and {2} are its arguments, {3}, {4} and {5} likewise, in parentheses if need be.
+struct form {
+  const char* function;
+  result_kind of;
+  const char* text;
+};
+
+/// GLSL leaves min, max and clamp of NaN open: comparisons say what std:: and glm:: do.
+constexpr form forms[] = {
+    {"min", result_kind::scalar, "({4} < {3} ? {4} : {3})"},
+    {"max", result_kind::scalar, "({3} < {4} ? {4} : {3})"},
+    {"clamp", result_kind::scalar, "({3} < {4} ? {4} : ({5} < {3} ? {5} : {3}))"},
+    {"min", result_kind::vector, "mix({0}, {1}, lessThan({1}, {0}))"},
+    {"max", result_kind::vector, "mix({0}, {1}, lessThan({0}, {1}))"},
+    {"clamp", result_kind::vector,
+     "mix(mix({0}, {1}, lessThan({0}, {1})), {2}, lessThan({2}, mix({0}, {1}, lessThan({0}, {1}))))"},
+    {"min", result_kind::other, "min({0}, {1})"},
+    {"max", result_kind::other, "max({0}, {1})"},
+    {"clamp", result_kind::other, "clamp({0}, {1}, {2})"},
+    {"countl_zero", result_kind::bits, "(31 - findMSB({0}))"},
+    {"countr_zero", result_kind::bits, "({3} == 0u ? 32 : findLSB({0}))"},
+    {"bit_width", result_kind::bits, "(findMSB({0}) + 1)"},
+    {"popcount", result_kind::bits, "bitCount({0})"},
+    {"atomic_thread_fence", result_kind::other, "PELAGE_FENCE()"},
+};
+
+/// std::bit_cast by the types that it leads from and to.
+const std::map<std::string, std::string> bit_casts = {{"float uint", "floatBitsToUint"},
+                                                      {"float int", "floatBitsToInt"},
+                                                      {"uint float", "uintBitsToFloat"},
+                                                      {"int float", "intBitsToFloat"},
+                                                      {"int uint", "uint"},
+                                                      {"uint int", "int"}};
+
+std::string grouped(const std::string& text) {
+  return text.find(' ') == std::string::npos && text.front() != '-' ? text : "(" + text + ")";
+}
+
+bool has_float(QualType t) {
+  return t->isFloatingType() || (t->isRecordType() && is_in(t->getAsCXXRecordDecl(), "glm"));
 }
 
 /// True where one path leads to the other's place or into it: slot and slot[i].depth, but not slot[i] and slot[j].
@@ -67,24 +108,34 @@ std::string translator::call(const CallExpr* c, position at) {
   if (f == nullptr) return reject(c->getBeginLoc(), "call through a pointer or of a callable object");
   const std::vector<const Expr*> args(c->arg_begin(), c->arg_end());
   const Expr* object = nullptr;
+  const std::string qualified = f->getQualifiedNameAsString();
+  // std::atomic_ref has no minimum before C++26: the library's own stands for GLSL's.
+  if (qualified == "pelage::fetch_minimum") return atomic(c, c->getArg(0), "fetch_min", 1, at);
   if (const auto* m = dyn_cast<CXXMemberCallExpr>(c)) {
     object = m->getImplicitObjectArgument();
-    if (is_array_type(object->getType())) {
+    if (qualified.rfind("std::__atomic_ref", 0) == 0 || qualified.rfind("std::atomic_ref", 0) == 0) {
+      return atomic(c, object, f->getNameAsString(), 0, at);
+    }
+    if (is_std_type(object->getType(), "span")) {
+      return reject(c->getBeginLoc(), "a span's size is a size_t: write static_cast<std::uint32_t>(x.size())");
+    }
+    if (is_std_type(object->getType(), "array")) {
       return reject(c->getBeginLoc(), "std::array::" + f->getNameAsString() + ": only [] is in the subset");
     }
-    if (is_glm(f)) return reject(c->getBeginLoc(), f->getQualifiedNameAsString() + " is not in the subset");
+    if (is_in(f, "glm")) return reject(c->getBeginLoc(), qualified + " is not in the subset");
     if (m->getMethodDecl()->isVirtual()) return reject(c->getBeginLoc(), "virtual function");
   }
-  if (is_std(f) || is_glm(f) || f->getBuiltinID() != 0) return library_call(c, f);
+  if (is_in(f, "std") || is_in(f, "glm") || f->getBuiltinID() != 0) return library_call(c, f);
   if (f->isVariadic()) return reject(c->getBeginLoc(), "variadic function");
   if (isa<CXXConversionDecl>(f)) return reject(c->getBeginLoc(), "conversion operator");
   const std::string name = use(f, c->getBeginLoc());
-  bind_sizes(f, c->getCallee());
+  bind_sizes(f, {});
   const bool through_storage = object != nullptr && is_storage_type(object->getType());
   if (through_storage && !cast<CXXMethodDecl>(f)->isConst() && at == position::part) {
     reject(c->getBeginLoc(), "call with an effect inside an expression: give its result a name first");
   }
   const auto* method = dyn_cast<CXXMethodDecl>(f);
+  if (method != nullptr) bind_sizes(method->getParent(), {});
   const bool no_self = through_storage || (method != nullptr && method->isStatic());
   return name + "(" + arguments(f, args, no_self ? nullptr : object, c, at) + ")";
 }
@@ -93,7 +144,10 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
   const OverloadedOperatorKind op = c->getOperator();
   const FunctionDecl* f = c->getDirectCallee();
   const QualType left = c->getArg(0)->getType();
-  if (op == OO_Subscript && (is_array_type(left) || (f != nullptr && is_glm(f)))) {
+  if (op == OO_Subscript && is_std_type(left, "span")) {
+    return cell_macro(c->getArg(0), "", "(i)") + "(" + glsl(without_conversions(c->getArg(1))) + ")";
+  }
+  if (op == OO_Subscript && (is_std_type(left, "array") || (f != nullptr && is_in(f, "glm")))) {
     // The index is a size_t in C++; its own type will do here.
     return glsl(c->getArg(0)) + "[" + glsl(without_conversions(c->getArg(1))) + "]";
   }
@@ -101,7 +155,7 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
   const bool assigns = c->isAssignmentOp();
   const auto* method = dyn_cast_or_null<CXXMethodDecl>(f);
   const bool copies = op == OO_Equal && method != nullptr && !method->isUserProvided();
-  if (f == nullptr || !(is_glm(f) || copies)) {
+  if (f == nullptr || !(is_in(f, "glm") || copies)) {
     // An operator of ours is a function by another name, as long as it changes nothing.
     if (f == nullptr || method != nullptr || operator_name(f).empty()) {
       return reject(c->getOperatorLoc(), "operator overload: call a function instead");
@@ -112,26 +166,63 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
     return reject(c->getOperatorLoc(), "assignment inside an expression: make it a statement of its own");
   }
   if (op == OO_PlusPlus || op == OO_MinusMinus) return reject(c->getOperatorLoc(), "increment of a vector");
-  arithmetic_ = arithmetic_ || is_glm(f);
+  arithmetic_ = arithmetic_ || is_in(f, "glm");
   const std::string spelled = getOperatorSpelling(op);
   if (c->getNumArgs() == 1) return spelled + glsl(c->getArg(0));
-  return glsl(c->getArg(0)) + " " + spelled + " " +
-         glsl(c->getArg(1), assigns ? position::whole : position::part);
+  return glsl(c->getArg(0)) + " " + spelled + " " + glsl(c->getArg(1), assigns ? position::whole : position::part);
 }
 
-std::string translator::construct(const CXXConstructExpr* c) {
-  const CXXConstructorDecl* made = c->getConstructor();
-  const bool vector = is_glm(made);
-  if (made->isCopyOrMoveConstructor() && c->getNumArgs() == 1) return glsl(c->getArg(0));
-  if (vector) {
-    if (c->getNumArgs() == 0) return reject(c->getBeginLoc(), "vector without a value");
-    const std::vector<const Expr*> values(c->arg_begin(), c->arg_end());
-    return type_of(c->getType(), c->getBeginLoc()).text() + "(" + listed(values) + ")";
+/// Functions of std:: and glm::.
+std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
+  const SourceLocation where = c->getBeginLoc();
+  const std::string name = f->getQualifiedNameAsString();
+  const std::string bare = llvm::StringSwitch<std::string>(name.substr(name.rfind(':') + 1))
+                               .Case("fabs", "abs")
+                               .Case("atan2", "atan")
+                               .Case("not_", "not")
+                               .Default(name.substr(name.rfind(':') + 1));
+  if (c->getNumArgs() == 0) {
+    const std::string value = constant(c);
+    if (!value.empty()) return value;
   }
-  if (c->getNumArgs() == 0 && (made->isTrivial() || !made->isUserProvided()))
-    return zero(c->getType(), c->getBeginLoc());
-  return reject(c->getBeginLoc(), "constructor of " + made->getParent()->getQualifiedNameAsString() +
-                                      ": only aggregates are in the subset");
+  if (bare == "round") return reject(where, "round: GLSL leaves halves open");
+  const std::string type = has_float(c->getType()) ? type_of(c->getType(), where).text() : std::string();
+  const bool vector = type.rfind("vec", 0) == 0;
+  const auto* known = llvm::find_if(forms, [&](const form& one) {
+    return bare == one.function && (one.of != result_kind::scalar || type == "float") &&
+           (one.of != result_kind::vector || vector);
+  });
+  std::vector<std::string> arguments;
+  for (const Expr* a : c->arguments()) {
+    const bool spread = known != std::end(forms) && vector && a->getType()->isFloatingType();
+    arguments.push_back(spread ? type + "(" + glsl(a) + ")" : glsl(a));
+  }
+  if (name == "std::bit_cast") {
+    const std::string from = type_of(c->getArg(0)->getType(), where).text();
+    const std::string to = type_of(c->getType(), where).text();
+    const auto found = bit_casts.find(from + " " + to);
+    if (found == bit_casts.end()) return reject(where, "std::bit_cast from " + from + " to " + to);
+    return found->second + "(" + arguments[0] + ")";
+  }
+  if (name == "std::swap") {
+    return filled("{{\nconst {0} = {1};\n{1} = {2};\n{2} = pelage_first;\n}",
+                  type_of(c->getArg(0)->getType(), where).declare("pelage_first"), arguments[0], arguments[1]);
+  }
+  if (known == std::end(forms)) {
+    const bool writes = llvm::any_of(f->parameters(), [](const ParmVarDecl* p) { return writes_to(p->getType()); });
+    if (writes || !is_builtin(bare)) return reject(where, name + " has no GLSL form here");
+    arithmetic_ = arithmetic_ || has_float(c->getType());
+    return bare + "(" + llvm::join(arguments, ", ") + ")";
+  }
+  if (known->of == result_kind::bits && context_.getTypeSize(c->getArg(0)->getType()) != 32) {
+    return reject(where, name + " of other than 32 bits");
+  }
+  arguments.resize(3, "0");
+  const std::string text = filled(known->text, arguments[0], arguments[1], arguments[2], grouped(arguments[0]),
+                                  grouped(arguments[1]), grouped(arguments[2]));
+  // A count of bits is an int in GLSL, and in C++ whatever the library says.
+  const bool count = known->of == result_kind::bits && !context_.hasSameUnqualifiedType(c->getType(), context_.IntTy);
+  return count ? type_of(c->getType(), where).text() + text : text;
 }
 
 }  // namespace pelage::codegen

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "translator.hpp"
 
-#include <algorithm>
 #include <iostream>
 
 namespace pelage::codegen {
@@ -31,43 +30,36 @@ void translator::check_recursion() {
     }
     state[e] = 2;
   };
-  std::vector<const entity*> in_order;  // so that the same call closes the circle every time
-  for (const auto& [decl, e] : entities_)
-    in_order.push_back(e.get());
-  std::sort(in_order.begin(), in_order.end(), [](auto* a, auto* b) { return a->location < b->location; });
-  for (const entity* e : in_order) {
-    if (state[e] == 0) visit(e);
+  for (const auto& [decl, e] : entities_) {
+    if (state[e.get()] == 0) visit(e.get());
   }
 }
 
 /// Types that C++ tells apart may be one in GLSL, and storage is none at all.
 void translator::check_overloads() {
-  std::map<std::string, const entity*> seen;
+  std::set<std::string> seen;
   for (const auto& [decl, e] : entities_) {
-    if (e->name.empty() || e->where == nullptr || e->where->mirrored) continue;
-    const std::string key = e->is_function() ? e->signature : e->name;
-    const auto [other, fresh] = seen.try_emplace(key, e.get());
-    if (!fresh) {
-      const entity* later = other->second->location < e->location ? e.get() : other->second;
-      reject(later->location, "`" + e->name + "` stands for two things in GLSL");
+    const bool ours = e->where != nullptr && !e->where->mirrored;
+    if (ours && !seen.insert(e->is_function() ? e->signature : e->name).second) {
+      reject(e->location, "`" + e->name + "` stands for two things in GLSL");
     }
   }
 }
 
 void translator::check_sizes() {
-  for (const auto& [name, values] : sizes_seen_) {
-    if (values.size() < 2) {
-      reject(size_places_[name], name + " is instantiated at one size only: a second one shows that none is lost");
+  for (const auto& [name, seen] : sizes_seen_) {
+    if (seen.values.size() < 2) {
+      reject(seen.first, name + " is instantiated at one size only: a second one shows that none is lost");
     }
   }
 }
 
+/// What names a size, and what needs that.
 void translator::mark_sized() {
   for (bool changed = true; changed;) {
     changed = false;
     for (const auto& [decl, e] : entities_) {
-      const bool sized = !e->sizes.empty() ||
-                         std::any_of(e->needs.begin(), e->needs.end(), [](const auto& n) { return n.first->sized; });
+      const bool sized = !e->sizes.empty() || llvm::any_of(e->needs, [](const auto& n) { return n.first->sized; });
       changed = changed || sized != e->sized;
       e->sized = sized;
     }

@@ -3,6 +3,8 @@
 #include "names.hpp"
 #include "translator.hpp"
 
+#include <llvm/ADT/TypeSwitch.h>
+
 namespace pelage::codegen {
 
 using namespace clang;
@@ -11,21 +13,17 @@ namespace {
 
 /// The declaration that all instantiations share: the first one of the template's pattern.
 const NamedDecl* pattern_of(const NamedDecl* d) {
-  const NamedDecl* pattern = nullptr;
-  if (const auto* f = dyn_cast<FunctionDecl>(d)) pattern = f->getTemplateInstantiationPattern();
-  if (const auto* r = dyn_cast<CXXRecordDecl>(d)) pattern = r->getTemplateInstantiationPattern();
-  if (const auto* v = dyn_cast<VarDecl>(d)) pattern = v->getTemplateInstantiationPattern();
-  if (const auto* e = dyn_cast<EnumDecl>(d)) pattern = e->getTemplateInstantiationPattern();
+  const auto* pattern = llvm::TypeSwitch<const NamedDecl*, const NamedDecl*>(d)
+                            .Case<FunctionDecl, CXXRecordDecl, VarDecl, EnumDecl>(
+                                [](const auto* x) { return x->getTemplateInstantiationPattern(); })
+                            .Default([](const NamedDecl*) { return nullptr; });
   return cast<NamedDecl>((pattern == nullptr ? d : pattern)->getCanonicalDecl());
 }
 
-/// Where a declaration begins, `template <...>` included.
-SourceLocation begin_of(const NamedDecl* d) {
-  const TemplateDecl* t = nullptr;
-  if (const auto* f = dyn_cast<FunctionDecl>(d)) t = f->getDescribedFunctionTemplate();
-  if (const auto* r = dyn_cast<CXXRecordDecl>(d)) t = r->getDescribedClassTemplate();
-  if (const auto* v = dyn_cast<VarDecl>(d)) t = v->getDescribedVarTemplate();
-  return t == nullptr ? d->getBeginLoc() : t->getBeginLoc();
+/// A declaration with the `template <...>` before it.
+const NamedDecl* whole(const NamedDecl* d) {
+  const TemplateDecl* t = d->getDescribedTemplate();
+  return t == nullptr ? d : t;
 }
 
 }  // namespace
@@ -37,27 +35,23 @@ entity& translator::slot(const NamedDecl* d) {
 }
 
 void translator::require(const NamedDecl* d) {
-  if (required_.insert(d->getCanonicalDecl()).second) waiting_.push_back(d);
+  slot(d);  // in the order of requirement
+  required_.insert(cast<NamedDecl>(d->getCanonicalDecl()));
 }
 
 std::string translator::use(const NamedDecl* d, SourceLocation where) {
   require(d);
-  if (fresh_) fresh_->needs.emplace_back(&slot(d), where);
+  fresh_->needs.emplace_back(&slot(d), where);
   return global_name(d);
 }
 
 void translator::finish() {
-  for (; !waiting_.empty(); waiting_.pop_front()) {
-    const NamedDecl* next = waiting_.front();
-    if (const auto* f = dyn_cast<FunctionDecl>(next)) {
-      translate_function(f);
-    } else if (const auto* r = dyn_cast<CXXRecordDecl>(next)) {
-      translate_record(r);
-    } else if (const auto* e = dyn_cast<EnumDecl>(next)) {
-      translate_enum(e);
-    } else {
-      translate_constant(cast<VarDecl>(next));
-    }
+  for (std::size_t i = 0; i < required_.size(); ++i) {  // grows meanwhile
+    llvm::TypeSwitch<const NamedDecl*>(required_[i])
+        .Case<FunctionDecl>([&](const auto* f) { translate_function(f); })
+        .Case<CXXRecordDecl>([&](const auto* r) { translate_record(r->getDefinition()); })
+        .Case<EnumDecl>([&](const auto* e) { translate_enum(e->getDefinition()); })
+        .Case<VarDecl>([&](const auto* v) { translate_constant(v); });
   }
   check_recursion();
   check_overloads();
@@ -68,7 +62,7 @@ void translator::finish() {
 /// Starts a definition. False where there is nothing to write: the place is not ours, or is mirrored already.
 bool translator::begin(const NamedDecl* d) {
   const NamedDecl* pattern = pattern_of(d);
-  const SourceLocation where = begin_of(pattern);
+  const SourceLocation where = whole(pattern)->getBeginLoc();
   fresh_ = std::make_unique<entity>();
   fresh_->name = global_name(d);
   fresh_->location = d->getLocation();
@@ -92,13 +86,13 @@ bool translator::begin(const NamedDecl* d) {
   if (d->getDeclContext()->isTranslationUnit() || fresh_->name.find("__") != std::string::npos) {
     check_name(fresh_->name, false, d->getLocation());
   }
-  fresh_->doc = doc_above(where);
+  fresh_->doc = doc_above(whole(pattern));
   fresh_->declared_at = {offset(where), 1u};
   fresh_->defined_at = offset(where);
   if (d->getDeclContext()->isRecord() && (isa<VarDecl>(d) || isa<EnumDecl>(d))) {
     // A record's own constants stand before it: its fields may need them.
     const auto* owner = cast<NamedDecl>(Decl::castFromDeclContext(d->getDeclContext()));
-    fresh_->declared_at = {offset(begin_of(pattern_of(owner))), 0u};
+    fresh_->declared_at = {offset(whole(pattern_of(owner))->getBeginLoc()), 0u};
   }
   return true;
 }
@@ -124,48 +118,47 @@ void translator::check_alike(const entity& one, const entity& other, SourceLocat
   const std::string a = one.declaration + one.body;
   const std::string b = other.declaration + other.body;
   if (a == b && one.bindings == other.bindings) return;
-  std::size_t i = 0;
-  while (i < a.size() && i < b.size() && a[i] == b[i])
-    ++i;
-  const auto line_at = [i](const std::string& text) {
-    const std::size_t start = i == 0 ? 0 : text.rfind('\n', i - 1);
-    const std::size_t first = start == std::string::npos ? 0 : start + (i == 0 ? 0 : 1);
-    const std::string whole = text.substr(first, text.find('\n', i) - first);
-    return whole.substr(0, whole.find("  //"));
-  };
-  reject(where, "two instantiations of " + one.name + " differ, so a size or a type is lost: `" + line_at(a) +
-                    "` and `" + line_at(b) + "`");
+  auto [line, rest] = llvm::StringRef(a).split('\n');
+  auto [other_line, other_rest] = llvm::StringRef(b).split('\n');
+  while (line == other_line && rest != other_rest) {
+    std::tie(line, rest) = rest.split('\n');
+    std::tie(other_line, other_rest) = other_rest.split('\n');
+  }
+  reject(where, filled("two instantiations of {0} differ, so a size or a type is lost: `{1}` and `{2}`", one.name,
+                       line.split("  //").first, other_line.split("  //").first));
+}
+
+void translator::reject_any(SourceLocation where, const std::vector<std::pair<bool, const char*>>& reasons) {
+  for (const auto& [applies, reason] : reasons) {
+    if (applies) reject(where, reason);
+  }
 }
 
 void translator::translate_function(const FunctionDecl* f) {
   const FunctionDecl* definition = f->getDefinition();
+  const SourceLocation where = f->getLocation();
   if (definition == nullptr) {
-    reject(f->getLocation(), f->getQualifiedNameAsString() + " has no definition here");
+    reject(where, f->getQualifiedNameAsString() + " has no definition here");
     return;
   }
   if (!begin(f)) return;
   const auto* method = dyn_cast<CXXMethodDecl>(f);
   in_storage_ = method != nullptr && is_storage(method->getParent());
   const FunctionDecl* pattern = f->getTemplateInstantiationPattern();
-  const FunctionDecl* written = (pattern == nullptr ? f : pattern)->getDefinition();
-  fresh_->defined_at = offset(begin_of(written == nullptr ? definition : written));
-
-  const SourceLocation where = f->getLocation();
-  if (f->getReturnType()->isReferenceType()) reject(where, "reference as a result: return a value");
-  if (f->isVariadic()) reject(where, "variadic function");
-  if (method != nullptr && method->isVirtual()) reject(where, "virtual function");
-  if (f->isOverloadedOperator() && operator_name(f).empty())
-    reject(where, "operator overload: call a function instead");
+  const FunctionDecl* written = pattern == nullptr ? nullptr : pattern->getDefinition();
+  fresh_->defined_at = offset(whole(written == nullptr ? definition : written)->getBeginLoc());
+  reject_any(where,
+             {{f->getReturnType()->isReferenceType(), "reference as a result: return a value"},
+              {f->isVariadic(), "variadic function"},
+              {method != nullptr && method->isVirtual(), "virtual function"},
+              {f->isOverloadedOperator() && operator_name(f).empty(), "operator overload: call a function instead"}});
   const std::string result = type_of(f->getReturnType(), where).text();
   std::string list = parameters(definition);
   fresh_->body = glsl(definition->getBody(), position::statement);
   // No fused multiply-add may come between the two: `precise` covers all that leads to a result.
   const std::string precise = arithmetic_ && !f->getReturnType()->isVoidType() ? "precise " : "";
-  for (std::size_t i = list.find("inout "); arithmetic_ && i != std::string::npos; i = list.find("inout ", i + 14)) {
-    list.insert(i, "precise ");
-  }
+  if (arithmetic_) list = std::regex_replace(list, std::regex("\\binout "), "precise inout ");
   fresh_->declaration = precise + result + " " + fresh_->name + "(" + list + ")";
-  if (in_storage_) fresh_->doc = doc_above(f->getBeginLoc());
   end(f);
 }
 
@@ -196,24 +189,21 @@ std::string translator::parameters(const FunctionDecl* f) {
 
 void translator::translate_record(const CXXRecordDecl* r) {
   if (is_storage(r) || !begin(r)) return;
-  const SourceLocation where = r->getLocation();
-  if (r->isUnion()) reject(where, "union");
-  if (r->getNumBases() != 0) reject(where, "base class");
-  if (r->isPolymorphic()) reject(where, "virtual function");
-  if (r->hasUserDeclaredConstructor() || r->hasUserDeclaredDestructor()) {
-    reject(where, "struct with a constructor or a destructor: only aggregates are in the subset");
-  }
-  if (r->field_empty()) reject(where, "struct without members");
+  reject_any(r->getLocation(), {{r->isUnion(), "union"},
+                                {r->getNumBases() != 0, "base class"},
+                                {r->isPolymorphic(), "virtual function"},
+                                {r->hasUserDeclaredConstructor() || r->hasUserDeclaredDestructor(),
+                                 "struct with a constructor or a destructor: only aggregates are in the subset"},
+                                {r->field_empty(), "struct without members"}});
   std::string text = "struct " + fresh_->name + " {\n";
   for (const FieldDecl* f : r->fields()) {
-    if (f->isBitField()) reject(f->getLocation(), "bit-field");
-    if (f->getAccess() != AS_public) reject(f->getLocation(), "member that is not public");
-    if (f->getType()->isReferenceType()) reject(f->getLocation(), "reference as a member");
-    if (f->hasInClassInitializer()) reject(f->getLocation(), "member with a default value");
+    reject_any(f->getLocation(), {{f->isBitField(), "bit-field"},
+                                  {f->getAccess() != AS_public, "member that is not public"},
+                                  {f->getType()->isReferenceType(), "reference as a member"},
+                                  {f->hasInClassInitializer(), "member with a default value"}});
     check_name(f->getNameAsString(), true, f->getLocation());
-    const std::string doc = doc_beside(f->getLocation());
-    text += doc_above(f->getBeginLoc());
-    text += type_of(f->getType(), f->getLocation()).declare(f->getNameAsString()) + ";  " + doc + "\n";
+    text += doc_above(f) + type_of(f->getType(), f->getLocation()).declare(f->getNameAsString()) + ";  " +
+            doc_beside(f) + "\n";
   }
   fresh_->declaration = text + "};";
   for (const Decl* d : r->decls()) {
@@ -227,10 +217,8 @@ void translator::translate_enum(const EnumDecl* e) {
   if (!begin(e)) return;
   const std::string type = scalar_type(e->getIntegerType(), e->getLocation());
   for (const EnumConstantDecl* c : e->enumerators()) {
-    const std::string value = llvm::toString(c->getInitVal(), 10) + (type == "uint" ? "u" : "");
-    const std::string doc = doc_beside(c->getLocation());
-    fresh_->declaration +=
-        "const " + type + " " + fresh_->name + "_" + c->getNameAsString() + " = " + value + ";  " + doc + "\n";
+    fresh_->declaration += filled("const {0} {1}_{2} = {3}{4};  {5}\n", type, fresh_->name, c->getName(),
+                                  llvm::toString(c->getInitVal(), 10), type == "uint" ? "u" : "", doc_beside(c));
   }
   end(e);
 }
@@ -244,7 +232,7 @@ void translator::translate_constant(const VarDecl* v) {
     return;
   }
   const std::string declared = type_of(v->getType(), v->getLocation()).declare(fresh_->name);
-  fresh_->declaration = "const " + declared + " = " + glsl(init) + ";  " + doc_beside(v->getLocation());
+  fresh_->declaration = "const " + declared + " = " + glsl(init) + ";  " + doc_beside(pattern_of(v));
   end(v);
 }
 

@@ -16,6 +16,11 @@ bool has_size(const Stmt* s) {
 
 namespace {
 
+constexpr CastKind vanishing[] = {CK_LValueToRValue, CK_NoOp, CK_FunctionToPointerDecay, CK_ConstructorConversion,
+                                  CK_UserDefinedConversion};
+constexpr CastKind numeric[] = {CK_IntegralCast, CK_IntegralToFloating, CK_FloatingToIntegral,
+                                CK_FloatingCast, CK_IntegralToBoolean,  CK_FloatingToBoolean};
+
 /// The value of a conversion that vanishes, in the conversion's parentheses where it needs them.
 std::string kept(const CastExpr* c, const std::string& value) {
   const Expr* from = c->getSubExpr();
@@ -40,6 +45,7 @@ std::string translator::unary(const UnaryOperator* x, position at) {
     return x->isPrefix() ? op + glsl(operand) : glsl(operand) + op;
   }
   if (x->getOpcode() == UO_Deref && isa<CXXThisExpr>(operand->IgnoreParenImpCasts())) return "self";
+  if (x->getOpcode() == UO_Deref && isa<MemberExpr>(operand->IgnoreParenImpCasts())) return cell_macro(operand, "", "");
   if (x->getOpcode() == UO_Deref || x->getOpcode() == UO_AddrOf) return reject(x->getOperatorLoc(), "pointer");
   arithmetic_ = arithmetic_ || x->getType()->isFloatingType();
   const std::string value = glsl(operand);
@@ -78,27 +84,16 @@ std::string translator::conversion(const CastExpr* c, position at) {
   if (isa<CXXReinterpretCastExpr>(c) || isa<CXXConstCastExpr>(c) || isa<CXXDynamicCastExpr>(c)) {
     return reject(where, "reinterpret_cast, const_cast and dynamic_cast");
   }
-  switch (c->getCastKind()) {
-    case CK_LValueToRValue:
-    case CK_NoOp:
-    case CK_FunctionToPointerDecay:
-    case CK_ConstructorConversion:
-    case CK_UserDefinedConversion:
-      return kept(c, glsl(from, at));
-    case CK_IntegralCast:
-    case CK_IntegralToFloating:
-    case CK_FloatingToIntegral:
-    case CK_FloatingCast:
-    case CK_IntegralToBoolean:
-    case CK_FloatingToBoolean:
-      break;
-    case CK_DerivedToBase:
-    case CK_UncheckedDerivedToBase:
-      return reject(where, "base class");
-    default:
-      return reject(where, std::string("conversion ") + c->getCastKindName() + " is not in the subset");
+  if (const Expr* span = counted_span(c)) {
+    return type_of(cast<ExplicitCastExpr>(c)->getTypeAsWritten(), where).text() + "(" + cell_macro(span, "_SIZE", "") +
+           ")";
   }
-  if (c->getCastKind() == CK_FloatingCast) {
+  const CastKind kind = c->getCastKind();
+  if (llvm::is_contained(vanishing, kind)) return kept(c, glsl(from, at));
+  if (!llvm::is_contained(numeric, kind)) {
+    return reject(where, std::string("conversion ") + c->getCastKindName() + " is not in the subset");
+  }
+  if (kind == CK_FloatingCast) {
     if (!context_.hasSameUnqualifiedType(c->getType(), context_.FloatTy)) {
       return reject(where, "double: the mirror computes in float");
     }
@@ -126,7 +121,8 @@ std::string translator::conversion(const CastExpr* c, position at) {
   const std::string text = glsl(from, at);
   const std::string target = type_of(written, where).text();
   const bool was_enum = was->isEnumeralType();
-  if (was_enum && target == scalar_type(was->castAs<EnumType>()->getDecl()->getIntegerType(), where)) return kept(c, text);
+  if (was_enum && target == scalar_type(was->castAs<EnumType>()->getDecl()->getIntegerType(), where))
+    return kept(c, text);
   return target + "(" + text + ")";
 }
 
@@ -172,31 +168,6 @@ std::string translator::member(const MemberExpr* m) {
   if (m->isArrow() && text != "self") return reject(m->getOperatorLoc(), "pointer");
   if (isa<ConditionalOperator>(base->IgnoreParenImpCasts()) && text.front() != '(') text = "(" + text + ")";
   return text + "." + f->getNameAsString();
-}
-
-/// fragment{a, b} and std::array<T, N>{a, b}: constructors with every part.
-std::string translator::initializer_list(const InitListExpr* l) {
-  if (const InitListExpr* semantic = l->getSemanticForm()) l = semantic;
-  const QualType type = l->getType();
-  if (!type->isRecordType()) {
-    if (l->getNumInits() == 0) return zero(type, l->getBeginLoc());
-    return l->getNumInits() == 1 ? glsl(l->getInit(0)) : reject(l->getBeginLoc(), "list of values");
-  }
-  const std::vector<const Expr*> values(l->inits().begin(), l->inits().end());
-  QualType element;
-  std::string extent;
-  if (!is_array(type, element, extent)) return type_of(type, l->getBeginLoc()).text() + "(" + listed(values) + ")";
-  const auto* inner = values.empty() ? nullptr : dyn_cast<InitListExpr>(values.front()->IgnoreImplicit());
-  std::vector<const Expr*> elements;
-  if (inner != nullptr) elements.assign(inner->inits().begin(), inner->inits().end());
-  return array_value(type, elements, l->getBeginLoc());
-}
-
-std::string translator::listed(const std::vector<const Expr*>& values) {
-  std::string text;
-  for (const Expr* value : values)
-    text += (text.empty() ? "" : ", ") + glsl(value);
-  return text;
 }
 
 }  // namespace pelage::codegen

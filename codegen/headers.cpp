@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "headers.hpp"
 
+#include "names.hpp"
 #include "translator.hpp"
 
 #include <clang/Lex/HeaderSearch.h>
@@ -9,8 +10,6 @@
 #include <clang/Lex/Preprocessor.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace pelage::codegen {
 
@@ -35,29 +34,23 @@ unit* headers::unit_of(FileID file) {
                                   : ast_.getPreprocessor().getHeaderSearchInfo().suggestPathToFileForDiagnostics(
                                         entry, ast_.getMainFileName());
   if (header.rfind("glm/", 0) == 0) return nullptr;
-  place->second = make_unit(entry, header);
-  return place->second.get();
-}
-
-std::unique_ptr<unit> headers::make_unit(const FileEntry* entry, const std::string& header) const {
-  auto u = std::make_unique<unit>();
-  u->header = header;
   const bool ours = header.rfind("pelage/", 0) == 0;
   std::filesystem::path path = ours ? header.substr(7) : header;
-  u->path = path.replace_extension("glsl").string();
-  if (!ours || library_) return u;
-  u->include = "pelage/glsl/" + u->path;
-  u->mirrored = true;
-  const std::string name = entry->tryGetRealPathName().str();
-  std::ifstream in(name.substr(0, name.size() - header.size()) + u->include);
-  u->mirror_text.assign(std::istreambuf_iterator<char>(in), {});
-  // A size's macro is the one whose value a shader may use only once.
-  const std::string mark = "_has_one_value_in_a_shader";
-  for (std::size_t end = 0; (end = u->mirror_text.find(mark, end)) != std::string::npos; end += mark.size()) {
-    const std::size_t begin = u->mirror_text.rfind(' ', end) + 1;
-    u->sizes[u->mirror_text.substr(begin, end - begin)];
+  unit& u = *(place->second = std::make_unique<unit>());
+  u.header = header;
+  u.path = path.replace_extension("glsl").string();
+  if (!ours || library_) return &u;
+  u.include = "pelage/glsl/" + u.path;
+  u.mirrored = true;
+  const llvm::StringRef name = entry->tryGetRealPathName();
+  if (const auto mirror = llvm::MemoryBuffer::getFile(name.drop_back(header.size()) + u.include)) {
+    u.mirror_text = (*mirror)->getBuffer().str();
   }
-  return u;
+  // A size's macro is the one whose value a shader may use only once.
+  const std::regex size("(\\w+)_has_one_value_in_a_shader");
+  for (std::sregex_iterator one(u.mirror_text.begin(), u.mirror_text.end(), size), end; one != end; ++one)
+    u.sizes[one->str(1)];
+  return &u;
 }
 
 bool headers::is_named(const Decl* d) {
@@ -71,11 +64,11 @@ bool headers::is_named(const Decl* d) {
 void headers::note_doc(const NamespaceDecl* space) {
   if (!is_named(space)) return;
   unit* u = unit_of(sources_.getFileID(sources_.getExpansionLoc(space->getLocation())));
-  const llvm::StringRef text = sources_.getBufferData(sources_.getFileID(space->getBeginLoc()));
-  const std::size_t begin = sources_.getFileOffset(space->getBeginLoc());
-  const llvm::StringRef inside = text.substr(text.find('{', begin) + 1).ltrim();
-  const std::string first = doc_lines_above(inside, inside.find("\n\n") + 1);
-  for (const std::string& doc : {doc_lines_above(text, begin), inside.startswith(first) ? first : std::string()}) {
+  const std::regex at_the_beginning("[^{]*\\{\\s*((?:///[^\n]*\n)+)\n");
+  std::cmatch first;
+  std::regex_search(sources_.getCharacterData(space->getBeginLoc()), first, at_the_beginning,
+                    std::regex_constants::match_continuous);
+  for (const std::string& doc : {doc_above(space), first.str(1)}) {
     if (u->doc.find(doc) == std::string::npos) u->doc += (u->doc.empty() ? "" : "\n") + doc;
   }
 }

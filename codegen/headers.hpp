@@ -32,8 +32,6 @@ class headers {
   [[nodiscard]] std::vector<const unit*> written() const;
 
  private:
-  std::unique_ptr<unit> make_unit(const clang::FileEntry* entry, const std::string& header) const;
-
   clang::ASTUnit& ast_;
   clang::SourceManager& sources_;
   bool library_;

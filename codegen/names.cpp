@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "names.hpp"
 
+#include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclCXX.h>
+
+#include <llvm/ADT/StringSwitch.h>
 
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -62,22 +66,21 @@ std::string upper(std::string name) {
   return name;
 }
 
+std::string preprocessed(const std::string& expression) {
+  return std::regex_replace(expression, std::regex("([0-9])u"), "$1");
+}
+
 std::string operator_name(const clang::NamedDecl* d) {
   const auto* f = llvm::dyn_cast<clang::FunctionDecl>(d);
   if (f == nullptr || llvm::isa<clang::CXXMethodDecl>(f)) return {};
-  const bool binary = f->getNumParams() == 2;
-  switch (f->getOverloadedOperator()) {
-    case clang::OO_Plus:
-      return binary ? "add" : "";
-    case clang::OO_Minus:
-      return binary ? "subtract" : "negate";
-    case clang::OO_Star:
-      return binary ? "multiply" : "";
-    case clang::OO_Slash:
-      return "divide";
-    default:
-      return {};
-  }
+  const char* spelled = clang::getOperatorSpelling(f->getOverloadedOperator());
+  return llvm::StringSwitch<std::string>(spelled == nullptr ? "" : std::to_string(f->getNumParams()) + spelled)
+      .Case("2+", "add")
+      .Case("1-", "negate")
+      .Case("2-", "subtract")
+      .Case("2*", "multiply")
+      .Case("2/", "divide")
+      .Default("");
 }
 
 std::string global_name(const clang::NamedDecl* d) {
@@ -99,39 +102,41 @@ std::string bad_name(const std::string& name, bool is_field) {
   if (reserved().count(name) != 0) {
     return "`" + name + "` is a keyword or a reserved word in GLSL";
   }
-  if (!is_field && functions().count(name) != 0) {
+  if (!is_field && is_builtin(name)) {
     return "`" + name + "` is a built-in function in GLSL";
   }
   return {};
 }
 
-std::string builtin_function(const std::string& qualified) {
-  static const std::set<std::string> std_same = words(R"(
-    sqrt abs floor ceil trunc exp exp2 log log2 pow sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
-    isnan isinf fma)");
-  static const std::set<std::string> glm_same = words(R"(
-    sqrt abs floor ceil trunc exp exp2 log log2 pow sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh
-    isnan isinf fma inversesqrt sign fract mod min max clamp mix step smoothstep radians degrees length distance
-    dot cross normalize faceforward reflect refract matrixCompMult outerProduct transpose determinant inverse
-    lessThan lessThanEqual greaterThan greaterThanEqual equal notEqual any all roundEven floatBitsToInt
-    floatBitsToUint intBitsToFloat uintBitsToFloat bitCount findLSB findMSB bitfieldReverse)");
-  static const std::map<std::string, std::string> other = {
-      {"std::fabs", "abs"}, {"std::atan2", "atan"}, {"glm::not_", "not"}};
-  if (const auto found = other.find(qualified); found != other.end()) {
-    return found->second;
-  }
-  const std::string name = qualified.size() > 5 ? qualified.substr(5) : std::string();
-  const bool same = (qualified.rfind("std::", 0) == 0 && std_same.count(name) != 0) ||
-                    (qualified.rfind("glm::", 0) == 0 && glm_same.count(name) != 0);
-  return same ? name : std::string();
+/// The lines of a declaration's documentation.
+static std::string doc_of(const clang::Decl* d) {
+  const clang::ASTContext& context = d->getASTContext();
+  const clang::RawComment* doc = context.getRawCommentForDeclNoCache(d);
+  if (doc == nullptr) return {};
+  return std::regex_replace(doc->getRawText(context.getSourceManager()).str(), std::regex("\\s*\n\\s*"), "\n");
 }
 
-bool is_std(const clang::NamedDecl* d) {
-  return d->getQualifiedNameAsString().rfind("std::", 0) == 0;
+std::string doc_above(const clang::Decl* d) {
+  const std::string doc = doc_of(d);
+  return doc.empty() || doc.rfind("///<", 0) == 0 ? "" : doc + "\n";
 }
 
-bool is_glm(const clang::NamedDecl* d) {
-  return d->getQualifiedNameAsString().rfind("glm::", 0) == 0;
+std::string doc_beside(const clang::Decl* d) {
+  const std::string doc = doc_of(d);
+  return doc.rfind("///<", 0) == 0 ? doc : "";
+}
+
+bool is_builtin(const std::string& name) {
+  return functions().count(name) != 0;
+}
+
+bool is_in(const clang::NamedDecl* d, const std::string& space) {
+  return d->getQualifiedNameAsString().rfind(space + "::", 0) == 0;
+}
+
+bool is_std_type(clang::QualType t, llvm::StringRef name) {
+  const clang::CXXRecordDecl* r = t.getNonReferenceType()->getAsCXXRecordDecl();
+  return r != nullptr && r->isInStdNamespace() && r->getName() == name;
 }
 
 }  // namespace pelage::codegen

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <clang/AST/Decl.h>
+#include <llvm/Support/FormatVariadic.h>
 
+#include <regex>
 #include <string>
 
 namespace pelage::codegen {
@@ -16,14 +18,29 @@ namespace pelage::codegen {
 /// PELAGE_K_BUFFER_K for the parameter K of pelage::k_buffer.
 [[nodiscard]] std::string upper(std::string name);
 
+/// A text with {0}, {1} and so on in it, filled.
+template <class... Parts>
+[[nodiscard]] std::string filled(const char* format, Parts&&... parts) {
+  return llvm::formatv(format, std::forward<Parts>(parts)...).str();
+}
+
+/// An expression of sizes without the literals' suffixes, which the preprocessor does not know.
+[[nodiscard]] std::string preprocessed(const std::string& expression);
+
 /// Why a name cannot stand in GLSL, or nothing. Fields may bear the names of built-in functions, others not.
 [[nodiscard]] std::string bad_name(const std::string& name, bool is_field);
 
-/// The GLSL built-in that a function of std:: or glm:: becomes where both take the same arguments, or nothing.
-[[nodiscard]] std::string builtin_function(const std::string& qualified);
+/// The lines of a declaration's documentation, /// above it or ///< beside it.
+[[nodiscard]] std::string doc_above(const clang::Decl* d);
+[[nodiscard]] std::string doc_beside(const clang::Decl* d);
 
-/// In std:: or in glm::, members of their classes too.
-[[nodiscard]] bool is_std(const clang::NamedDecl* d);
-[[nodiscard]] bool is_glm(const clang::NamedDecl* d);
+/// True for the names of GLSL's own functions.
+[[nodiscard]] bool is_builtin(const std::string& name);
+
+/// In a namespace or in one of its classes.
+[[nodiscard]] bool is_in(const clang::NamedDecl* d, const std::string& space);
+
+/// std::span and the like, or a reference to it.
+[[nodiscard]] bool is_std_type(clang::QualType t, llvm::StringRef name);
 
 }  // namespace pelage::codegen

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
+// A template's size is a macro in GLSL, by which a shader picks its own.
 #include "names.hpp"
 #include "translator.hpp"
 
@@ -14,65 +15,33 @@ bool is_size(const NamedDecl* parameter) {
   return value != nullptr && value->getType()->isIntegerType() && !value->getType()->isBooleanType();
 }
 
-/// Whose size a template's parameter `name` is: a function's is that of the struct beside it in the header that has one
-/// of this name, else that of its namespace where that is one structure's own; any other template's is its own.
-const NamedDecl* owner_of_size(const TemplateDecl* t, llvm::StringRef name) {
-  const auto* space = dyn_cast<NamespaceDecl>(t->getDeclContext());
-  if (!isa<FunctionTemplateDecl>(t) || space == nullptr) return t->getTemplatedDecl();
-  for (const Decl* d : space->decls()) {
-    const auto* beside = dyn_cast<ClassTemplateDecl>(d);
-    if (beside == nullptr) continue;
-    for (const NamedDecl* p : *beside->getTemplateParameters()) {
-      if (is_size(p) && p->getName() == name) return beside->getTemplatedDecl();
-    }
-  }
-  return isa<NamespaceDecl>(space->getDeclContext()) ? cast<NamedDecl>(space) : t->getTemplatedDecl();
-}
+/// A template and what it is instantiated with, or nothing.
+struct specialization {
+  const TemplateDecl* of = nullptr;
+  llvm::ArrayRef<TemplateArgument> arguments;
+};
 
-std::string macro_name(const TemplateDecl* t, unsigned index) {
-  const auto* first = cast<TemplateDecl>(t->getCanonicalDecl());
-  const std::string name = first->getTemplateParameters()->getParam(index)->getNameAsString();
-  return upper(global_name(owner_of_size(first, name)) + "_" + name);
-}
-
-const TemplateArgumentList* arguments_of(const Decl* d, const TemplateDecl*& pattern) {
+specialization specialization_of(const Decl* d) {
   if (const auto* r = dyn_cast_or_null<ClassTemplateSpecializationDecl>(d)) {
-    pattern = r->getSpecializedTemplate();
-    return &r->getTemplateArgs();
+    return {r->getSpecializedTemplate(), r->getTemplateArgs().asArray()};
   }
-  if (const auto* f = dyn_cast_or_null<FunctionDecl>(d); f != nullptr && f->getPrimaryTemplate() != nullptr) {
-    pattern = f->getPrimaryTemplate();
-    return f->getTemplateSpecializationArgs();
-  }
-  return nullptr;
+  const auto* f = dyn_cast_or_null<FunctionDecl>(d);
+  if (f == nullptr || f->getPrimaryTemplate() == nullptr) return {};
+  return {f->getPrimaryTemplate(), f->getTemplateSpecializationArgs()->asArray()};
 }
 
-}  // namespace
+/// A template's parameter.
+struct parameter {
+  const TemplateDecl* of;
+  unsigned index;
+  [[nodiscard]] const NamedDecl* declaration() const { return of->getTemplateParameters()->getParam(index); }
+};
 
-/// A use of a template's parameter: its macro.
-std::string translator::size_name(const NonTypeTemplateParmDecl* p, SourceLocation where) {
-  if (!is_size(p)) return reject(where, "template parameter `" + p->getNameAsString() + "` is not an integer");
-  // A parameter knows its template, except where a member is defined outside of its class.
-  const TemplateDecl* owner = p->getDepth() < templates_.size() ? templates_[p->getDepth()] : nullptr;
-  if (const auto* f = dyn_cast<FunctionDecl>(p->getDeclContext()); f != nullptr && f->getDescribedFunctionTemplate()) {
-    owner = f->getDescribedFunctionTemplate();
-  } else if (const auto* r = dyn_cast<CXXRecordDecl>(p->getDeclContext());
-             r != nullptr && r->getDescribedClassTemplate()) {
-    owner = r->getDescribedClassTemplate();
-  }
-  if (owner == nullptr) {
-    return reject(where, "the size `" + p->getNameAsString() + "` is lost here: name it where it is declared");
-  }
-  std::string name = macro_name(owner, p->getIndex());
-  if (const auto alias = aliases_.find(name); alias != aliases_.end()) name = alias->second;
-  if (fresh_) fresh_->sizes.insert(name);
-  return name;
-}
-
-/// template <int K> f(const list<K>&): the size of f is that of list, and needs no macro of its own.
-void translator::find_aliases(const FunctionDecl* f) {
-  const FunctionTemplateDecl* own = f->getPrimaryTemplate();
-  if (own == nullptr) return;
+/// Whose size a template's is: template <int K> f(const list<K>&) has that of list; other templates have their own.
+parameter owner_of(const TemplateDecl* t, unsigned index) {
+  const parameter own = {cast<TemplateDecl>(t->getCanonicalDecl()), index};
+  const auto* f = dyn_cast<FunctionDecl>(own.of->getTemplatedDecl());
+  if (f == nullptr) return own;
   std::vector<QualType> types = {f->getReturnType()};
   for (const ParmVarDecl* p : f->parameters())
     types.push_back(p->getType());
@@ -82,124 +51,111 @@ void translator::find_aliases(const FunctionDecl* f) {
     if (of == nullptr || of->isInStdNamespace() || !isa<ClassTemplateDecl>(of)) continue;
     for (unsigned i = 0; i < written->getNumArgs(); ++i) {
       if (written->getArg(i).getKind() != TemplateArgument::Expression) continue;
-      const auto* size = dyn_cast<SubstNonTypeTemplateParmExpr>(without_conversions(written->getArg(i).getAsExpr()));
-      if (size == nullptr || !is_size(of->getTemplateParameters()->getParam(i))) continue;
-      aliases_.try_emplace(macro_name(own, size->getParameter()->getIndex()), macro_name(of, i));
+      const auto* named = dyn_cast<DeclRefExpr>(written->getArg(i).getAsExpr()->IgnoreImplicit());
+      if (named != nullptr && named->getDecl() == own.declaration()) return {of, i};
     }
   }
+  return own;
 }
 
-/// Records the templates round a definition, outermost first, and what their sizes are in this instantiation.
+/// A function's size bears the name of the struct beside it in the header that has one of this name, else that of its
+/// namespace where that is one structure's own; any other template's its own.
+std::string macro_name(const parameter& size) {
+  const llvm::StringRef name = size.declaration()->getName();
+  const auto* space = dyn_cast<NamespaceDecl>(size.of->getDeclContext());
+  const NamedDecl* bearer = size.of->getTemplatedDecl();
+  if (isa<FunctionTemplateDecl>(size.of) && space != nullptr) {
+    if (isa<NamespaceDecl>(space->getDeclContext())) bearer = space;
+    for (const Decl* d : space->decls()) {
+      const auto* beside = dyn_cast<ClassTemplateDecl>(d);
+      if (beside != nullptr && llvm::any_of(*beside->getTemplateParameters(),
+                                            [&](const NamedDecl* p) { return is_size(p) && p->getName() == name; })) {
+        bearer = beside->getTemplatedDecl();
+      }
+    }
+  }
+  return upper(global_name(bearer) + "_" + name.str());
+}
+
+std::string macro_name(const TemplateDecl* t, unsigned index) {
+  return macro_name(owner_of(t, index));
+}
+
+}  // namespace
+
+/// A use of a template's parameter: its macro.
+std::string translator::size_name(const NonTypeTemplateParmDecl* p, SourceLocation where) {
+  if (!is_size(p)) return reject(where, "template parameter `" + p->getNameAsString() + "` is not an integer");
+  // A parameter knows its template, except where a member is defined outside of its class.
+  const TemplateDecl* owner = Decl::castFromDeclContext(p->getDeclContext())->getDescribedTemplate();
+  if (owner == nullptr && p->getDepth() < templates_.size()) owner = templates_[p->getDepth()];
+  if (owner == nullptr) {
+    return reject(where, "the size `" + p->getNameAsString() + "` is lost here: name it where it is declared");
+  }
+  return *fresh_->sizes.insert(macro_name(owner, p->getIndex())).first;
+}
+
+/// Records the templates round a definition, outermost first, and what their sizes are in this instantiation: the first
+/// one gives the macro's default, all are counted, since two must come out alike. The sizes of a type that is a
+/// template's argument are the template's too.
 void translator::set_templates(const Decl* d) {
   templates_.clear();
   size_values_.clear();
-  aliases_.clear();
-  if (const auto* f = dyn_cast<FunctionDecl>(d)) find_aliases(f);
   std::vector<const Decl*> chain = {d};
   for (const DeclContext* c = d->getDeclContext(); c != nullptr && c->isRecord(); c = c->getParent()) {
     chain.insert(chain.begin(), cast<Decl>(c));
   }
   for (const Decl* level : chain) {
-    const TemplateDecl* pattern = nullptr;
-    const TemplateArgumentList* arguments = arguments_of(level, pattern);
-    if (arguments == nullptr) continue;
-    templates_.push_back(pattern);
-    note_sizes(cast<NamedDecl>(level), pattern, *arguments);
-  }
-}
-
-/// The first instantiation gives the macro's default; all are counted, since two must come out alike. The sizes of a
-/// type that is a template's argument are the template's too.
-void translator::note_sizes(const NamedDecl* owner, const TemplateDecl* pattern,
-                            const TemplateArgumentList& arguments) {
-  std::string values;
-  for (unsigned i = 0; i < arguments.size(); ++i) {
-    if (arguments[i].getKind() == TemplateArgument::Type) {
-      const TemplateDecl* of = nullptr;
-      const TemplateArgumentList* sizes = arguments_of(arguments[i].getAsType()->getAsCXXRecordDecl(), of);
-      const bool ours = sizes != nullptr && unit_of_(file(of->getLocation()));
-      for (unsigned j = 0; ours && j < sizes->size(); ++j) {
-        if (!is_size(of->getTemplateParameters()->getParam(j))) continue;
-        size_values_.emplace_back(macro_name(of, j), (*sizes)[j].getAsIntegral());
-        values += llvm::toString((*sizes)[j].getAsIntegral(), 10) + " ";
+    const specialization s = specialization_of(level);
+    if (s.of == nullptr) continue;
+    templates_.push_back(s.of);
+    std::string values;
+    const std::function<void(const specialization&)> note = [&](const specialization& one) {
+      for (unsigned i = 0; i < one.arguments.size(); ++i) {
+        const parameter size = owner_of(one.of, i);
+        if (is_size(size.declaration())) {
+          const llvm::APSInt value = one.arguments[i].getAsIntegral();
+          size_values_.emplace_back(macro_name(size), value);
+          values += llvm::toString(value, 10) + " ";
+          if (unit* u = unit_of_(file(size.of->getLocation()))) {
+            u->sizes.try_emplace(macro_name(size), llvm::toString(value, 10));
+          }
+        } else if (one.arguments[i].getKind() == TemplateArgument::Type) {
+          const specialization type = specialization_of(one.arguments[i].getAsType()->getAsCXXRecordDecl());
+          if (type.of != nullptr && unit_of_(file(type.of->getLocation())) != nullptr) note(type);
+        }
       }
-      continue;
-    }
-    const NamedDecl* parameter = pattern->getTemplateParameters()->getParam(i);
-    if (!is_size(parameter)) continue;
-    std::string name = macro_name(pattern, i);
-    const auto alias = aliases_.find(name);
-    if (alias != aliases_.end()) name = alias->second;
-    const std::string value = llvm::toString(arguments[i].getAsIntegral(), 10);
-    size_values_.emplace_back(name, arguments[i].getAsIntegral());
-    values += value + " ";
-    if (alias != aliases_.end()) continue;
-    if (unit* u = unit_of_(file(pattern->getLocation()))) {
-      u->sizes.try_emplace(name, value);
-    }
-  }
-  if (!values.empty()) {
-    const std::string name = pattern->getQualifiedNameAsString();
-    sizes_seen_[name].insert(values);
-    size_places_.try_emplace(name, owner->getLocation());
+    };
+    note(s);
+    if (values.empty()) continue;
+    const auto seen = sizes_seen_.try_emplace(s.of->getQualifiedNameAsString(), seen_sizes{level->getLocation(), {}});
+    seen.first->second.values.insert(values);
   }
 }
 
 /// A static_assert over sizes becomes an #error in the mirror.
 void translator::note_condition(const StaticAssertDecl* check) {
   if (check->getMessage() == nullptr || !has_size(check->getAssertExpr())) return;
-  std::string condition = glsl(check->getAssertExpr()->IgnoreImplicit());
-  for (std::size_t i = condition.find('u'); i != std::string::npos; i = condition.find('u', i + 1)) {
-    if (i > 0 && isdigit(static_cast<unsigned char>(condition[i - 1])) != 0) condition.erase(i, 1);
-  }
+  const std::string condition = preprocessed(glsl(check->getAssertExpr()->IgnoreImplicit()));
   fresh_->where->conditions.emplace(condition, check->getMessage()->getString().str());
 }
 
-/// What the size of something used here is, in terms of the sizes here: as written in `f<2u * K>`, else the size here
+/// What the sizes of something used here are, in terms of the sizes here: as written in `f<2u * K>`, else the size here
 /// of the same value. The second instantiation shows whether that guess was right.
-void translator::bind_size(const TemplateDecl* of, unsigned index, const TemplateArgument& value,
-                           const TemplateArgument* written) {
-  if (!fresh_ || !is_size(of->getTemplateParameters()->getParam(index))) return;
-  const std::string name = macro_name(of, index);
-  std::string text = llvm::toString(value.getAsIntegral(), 10);
-  for (const auto& [mine, size] : size_values_) {
-    if (text != name && llvm::APSInt::isSameValue(size, value.getAsIntegral())) text = mine;
-  }
-  if (written != nullptr && written->getKind() == TemplateArgument::Expression) {
-    text = size_expression(written->getAsExpr());
-  }
-  if (text.find(' ') != std::string::npos) text = "(" + text + ")";
-  if (text != name) fresh_->bindings[name] = text;
-}
-
-void translator::bind_sizes(const FunctionDecl* callee, const Expr* call) {
-  std::vector<const Decl*> chain = {callee};
-  if (const auto* m = dyn_cast<CXXMethodDecl>(callee)) chain.push_back(m->getParent());
-  const auto* written = call == nullptr ? nullptr : dyn_cast<DeclRefExpr>(call->IgnoreParenImpCasts());
-  // A size that is a parameter's is bound with the parameter's type.
-  std::map<std::string, std::string> own;
-  own.swap(aliases_);
-  find_aliases(callee);
-  aliases_.swap(own);
-  for (const Decl* level : chain) {
-    const TemplateDecl* pattern = nullptr;
-    const TemplateArgumentList* arguments = arguments_of(level, pattern);
-    for (unsigned i = 0; arguments != nullptr && i < arguments->size(); ++i) {
-      if (own.count(macro_name(pattern, i)) != 0) continue;
-      const bool named = level == callee && written != nullptr && i < written->getNumTemplateArgs();
-      bind_size(pattern, i, (*arguments)[i], named ? &written->template_arguments()[i].getArgument() : nullptr);
+void translator::bind_sizes(const Decl* used, llvm::ArrayRef<TemplateArgument> written) {
+  const specialization s = specialization_of(used);
+  for (unsigned i = 0; i < s.arguments.size(); ++i) {
+    if (!is_size(s.of->getTemplateParameters()->getParam(i))) continue;
+    const std::string name = macro_name(s.of, i);
+    std::string text = llvm::toString(s.arguments[i].getAsIntegral(), 10);
+    for (const auto& [mine, size] : size_values_) {
+      if (text != name && llvm::APSInt::isSameValue(size, s.arguments[i].getAsIntegral())) text = mine;
     }
-  }
-}
-
-void translator::bind_sizes(QualType t) {
-  const TemplateDecl* pattern = nullptr;
-  const CXXRecordDecl* record = t->getAsCXXRecordDecl();
-  const TemplateArgumentList* arguments = arguments_of(record, pattern);
-  const auto* written = t->getAs<TemplateSpecializationType>();
-  for (unsigned i = 0; arguments != nullptr && i < arguments->size(); ++i) {
-    const bool named = written != nullptr && i < written->getNumArgs();
-    bind_size(pattern, i, (*arguments)[i], named ? &written->getArg(i) : nullptr);
+    if (i < written.size() && written[i].getKind() == TemplateArgument::Expression) {
+      text = size_expression(written[i].getAsExpr());
+    }
+    if (text.find(' ') != std::string::npos) text = "(" + text + ")";
+    if (text != name) fresh_->bindings[name] = text;
   }
 }
 

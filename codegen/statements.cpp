@@ -97,12 +97,11 @@ std::string translator::if_statement(const IfStmt* s) {
 std::string translator::range_loop(const CXXForRangeStmt* s) {
   const VarDecl* v = s->getLoopVariable();
   const Expr* range = s->getRangeInit()->IgnoreParenImpCasts();
-  QualType element;
-  std::string extent;
   QualType range_type = range->getType();
   if (const auto* m = dyn_cast<MemberExpr>(range)) range_type = m->getMemberDecl()->getType();
   if (const auto* r = dyn_cast<DeclRefExpr>(range)) range_type = r->getDecl()->getType();
-  if (!is_array(range_type.getNonReferenceType().getUnqualifiedType(), element, extent)) {
+  const std::optional<array> items = array_of(range_type.getNonReferenceType().getUnqualifiedType());
+  if (!items) {
     return reject(range->getBeginLoc(), "range-for over something other than a std::array");
   }
   const std::string name = local_name(v);
@@ -115,7 +114,7 @@ std::string translator::range_loop(const CXXForRangeStmt* s) {
     const bool constant = v->getType().isConstQualified();
     first = (constant ? "\nconst " : "\n") + type_of(v->getType(), v->getLocation()).declare(name) + " = " + item + ";";
   }
-  return "for (int " + index + " = 0; " + index + " < " + extent + "; ++" + index + ") {" + first +
+  return "for (int " + index + " = 0; " + index + " < " + items->extent + "; ++" + index + ") {" + first +
          braced(statement(s->getBody())).substr(1);
 }
 
@@ -160,10 +159,8 @@ std::string translator::variable(const VarDecl* v) {
   if (refers && !names_constant(v)) {
     return reject(v->getLocation(), "local reference: make a copy, or name the place each time");
   }
-  if ((v->isStaticLocal() && !v->isConstexpr()) || v->getTSCSpec() != TSCS_unspecified) {
-    return reject(v->getLocation(), "static local variable");
-  }
-  if (v->getType().isVolatileQualified()) return reject(v->getLocation(), "volatile");
+  const bool lasting = (v->isStaticLocal() && !v->isConstexpr()) || v->getTSCSpec() != TSCS_unspecified;
+  reject_any(v->getLocation(), {{lasting, "static local variable"}, {v->getType().isVolatileQualified(), "volatile"}});
   const glsl_type type = type_of(v->getType(), v->getLocation());
   const std::string declared = type.declare(local_name(v));
   const Expr* init = v->getInit();

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
+// Cells that the shader provides, atomics on them, and what std::memory_order is to the mirror.
 #include "names.hpp"
 #include "translator.hpp"
 
@@ -8,11 +9,6 @@ namespace pelage::codegen {
 using namespace clang;
 
 namespace {
-
-bool is_std_type(QualType t, llvm::StringRef name) {
-  const CXXRecordDecl* r = t.getNonReferenceType()->getAsCXXRecordDecl();
-  return r != nullptr && r->isInStdNamespace() && r->getName() == name;
-}
 
 /// x in std::atomic_ref(x).
 const Expr* referred(const Expr* e) {
@@ -33,68 +29,25 @@ const Expr* referred(const Expr* e) {
 
 }  // namespace
 
-/// The macro by which the shader says where a span's element or a pointer's target lies.
-std::string translator::cell_name(const Expr* e, const std::string& index) {
+/// The macro by which the shader says where a span's element or a pointer's target lies, or how long a span is.
+std::string translator::cell_macro(const Expr* e, const std::string& suffix, const std::string& parameter) {
   const auto* m = dyn_cast<MemberExpr>(e->IgnoreParenImpCasts());
   const auto* f = m == nullptr ? nullptr : dyn_cast<FieldDecl>(m->getMemberDecl());
   if (f == nullptr || !in_storage_) {
     return reject(e->getBeginLoc(), "spans and pointers can only be members of storage, reached by its functions");
   }
-  const std::string name = upper(global_name(f->getParent()) + "_" + f->getNameAsString());
-  fresh_->where->cells[name] = {index.empty() ? name : name + "(i)", doc_beside(f->getLocation())};
-  return index.empty() ? name : name + "(" + index + ")";
+  const std::string name = upper(global_name(f)) + suffix;
+  fresh_->where->cells[name] = {name + parameter, suffix.empty() ? doc_beside(f) : "///< how many of them"};
+  return name;
 }
 
-/// What only storage holds: cells, their number, and atomics on them. False for anything else.
-bool translator::storage_expression(const Expr* e, std::string& text, position at) {
-  if (const auto* c = dyn_cast<CXXMemberCallExpr>(e)) {
-    const QualType object = c->getImplicitObjectArgument()->getType();
-    if (is_std_type(object, "__atomic_ref") || is_std_type(object, "atomic_ref") ||
-        c->getMethodDecl()->getQualifiedNameAsString().rfind("std::__atomic_ref", 0) == 0) {
-      text = atomic(c, c->getImplicitObjectArgument(), c->getMethodDecl()->getNameAsString(), 0, at);
-      return true;
-    }
-    if (is_std_type(object, "span")) {
-      text = reject(e->getBeginLoc(), "a span's size is a size_t: write static_cast<std::uint32_t>(x.size())");
-      return true;
-    }
-    return false;
-  }
-  if (const auto* c = dyn_cast<CallExpr>(e); c != nullptr && c->getDirectCallee() != nullptr) {
-    // std::atomic_ref has no minimum before C++26: the library's own stands for GLSL's.
-    const std::string name = c->getDirectCallee()->getQualifiedNameAsString();
-    if (name == "pelage::fetch_minimum") {
-      text = atomic(c, c->getArg(0), "fetch_min", 1, at);
-      return true;
-    }
-  }
-  if (const auto* c = dyn_cast<ExplicitCastExpr>(e)) {
-    const auto* call = dyn_cast<CXXMemberCallExpr>(c->getSubExpr()->IgnoreParenImpCasts());
-    const bool counts = call != nullptr && is_std_type(call->getImplicitObjectArgument()->getType(), "span") &&
-                        call->getMethodDecl()->getName() == "size" && context_.getTypeSize(c->getType()) == 32;
-    if (!counts) return false;
-    const std::string cells = cell_name(call->getImplicitObjectArgument(), "");
-    if (!in_storage_) return true;
-    cell& described = fresh_->where->cells[cells];
-    const std::string doc = described.doc;
-    fresh_->where->cells.erase(cells);
-    fresh_->where->cells[cells + "_SIZE"] = {cells + "_SIZE", "///< how many of them"};
-    if (fresh_->where->cells.count(cells) == 0) fresh_->where->cells[cells] = {cells + "(i)", doc};
-    text = type_of(c->getTypeAsWritten(), c->getBeginLoc()).text() + "(" + cells + "_SIZE)";
-    return true;
-  }
-  if (const auto* c = dyn_cast<CXXOperatorCallExpr>(e)) {
-    if (c->getOperator() != OO_Subscript || !is_std_type(c->getArg(0)->getType(), "span")) return false;
-    text = cell_name(c->getArg(0), glsl(without_conversions(c->getArg(1))));
-    return true;
-  }
-  if (const auto* u = dyn_cast<UnaryOperator>(e)) {
-    const auto* m = dyn_cast<MemberExpr>(u->getSubExpr()->IgnoreParenImpCasts());
-    if (u->getOpcode() != UO_Deref || m == nullptr) return false;
-    text = cell_name(m, "");
-    return true;
-  }
-  return false;
+/// x in static_cast<std::uint32_t>(x.size()), x a span; else null.
+const Expr* translator::counted_span(const CastExpr* c) const {
+  const auto* call = dyn_cast<CXXMemberCallExpr>(c->getSubExpr()->IgnoreParenImpCasts());
+  const Expr* object = call == nullptr ? nullptr : call->getImplicitObjectArgument();
+  const bool counts = object != nullptr && is_std_type(object->getType(), "span") &&
+                      call->getMethodDecl()->getName() == "size" && context_.getTypeSize(c->getType()) == 32;
+  return counts && isa<ExplicitCastExpr>(c) ? object : nullptr;
 }
 
 /// One operation of std::atomic_ref. The value passes through pelage_release() on its way in and pelage_acquire() on
@@ -108,30 +61,101 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
   const bool wide = context_.getTypeSize(place->getType()) == 64;
   fresh_->where->uses_int64 |= wide;
   fresh_->where->uses_atomic_int64 |= wide;
-  const bool writes = name != "load";
-  if (writes && at == position::part) {
+  const auto arg = [&](unsigned i) { return glsl(c->getArg(first + i)); };
+  const auto fenced = [](const char* fence, const std::string& value, const std::string& order) {
+    return order == "pelage_memory_order_relaxed" ? value : filled("{0}({1}, {2})", fence, value, order);
+  };
+  if (name == "load") return fenced("pelage_acquire", wide ? "PELAGE_LOAD_64(" + target + ")" : target, arg(0));
+  if (at == position::part) {
     return reject(c->getBeginLoc(), "call with an effect inside an expression: give its result a name first");
   }
-  const auto arg = [&](unsigned i) { return glsl(c->getArg(first + i)); };
-  const auto release = [&](const std::string& value, const std::string& order) {
-    return order == "pelage_memory_order_relaxed" ? value : "pelage_release(" + value + ", " + order + ")";
-  };
-  const auto acquire = [&](const std::string& value, const std::string& order) {
-    return order == "pelage_memory_order_relaxed" ? value : "pelage_acquire(" + value + ", " + order + ")";
-  };
-  if (name == "load") return acquire(wide ? "PELAGE_LOAD_64(" + target + ")" : target, arg(0));
-  if (name == "store") return "atomicExchange(" + target + ", " + release(arg(0), arg(1)) + ")";
+  if (name == "store") return filled("atomicExchange({0}, {1})", target, fenced("pelage_release", arg(0), arg(1)));
   if (name == "compare_exchange_strong") {
     // It leaves in `expected` what it found, taken or not: the same as assigning the result.
-    return arg(0) + " = " +
-           acquire("atomicCompSwap(" + target + ", " + arg(0) + ", " + release(arg(1), arg(2)) + ")", arg(2));
+    if (at != position::statement)
+      return reject(c->getBeginLoc(), "result of compare_exchange_strong: compare `expected`");
+    const std::string value = fenced("pelage_release", arg(1), arg(2));
+    const std::string found = filled("atomicCompSwap({0}, {1}, {2})", target, arg(0), value);
+    return arg(0) + " = " + fenced("pelage_acquire", found, arg(2));
   }
-  static const std::map<std::string, std::string> same = {{"exchange", "atomicExchange"}, {"fetch_add", "atomicAdd"},
-                                                          {"fetch_and", "atomicAnd"},     {"fetch_or", "atomicOr"},
-                                                          {"fetch_xor", "atomicXor"},     {"fetch_min", "atomicMin"}};
-  const auto found = same.find(name);
-  if (found == same.end()) return reject(c->getBeginLoc(), "std::atomic_ref::" + name + " has no GLSL form");
-  return acquire(found->second + "(" + target + ", " + release(arg(0), arg(1)) + ")", arg(1));
+  const auto* operation = llvm::StringSwitch<const char*>(name)
+                              .Case("exchange", "atomicExchange")
+                              .Case("fetch_add", "atomicAdd")
+                              .Case("fetch_and", "atomicAnd")
+                              .Case("fetch_or", "atomicOr")
+                              .Case("fetch_xor", "atomicXor")
+                              .Case("fetch_min", "atomicMin")
+                              .Default(nullptr);
+  if (operation == nullptr) return reject(c->getBeginLoc(), "std::atomic_ref::" + name + " has no GLSL form");
+  const std::string value = fenced("pelage_release", arg(0), arg(1));
+  return fenced("pelage_acquire", filled("{0}({1}, {2})", operation, target, value), arg(1));
+}
+
+std::string memory_order_text() {
+  return std::string(licence) + R"(// Generated by pelage-glsl: what std::memory_order is to the mirror.
+#ifndef PELAGE_CORE_MEMORY_ORDER_GLSL
+#define PELAGE_CORE_MEMORY_ORDER_GLSL
+
+// The fence behind an acquire and before a release. A shader may define its own before it includes this file: Mesa's
+// lavapipe, at least up to 22.3, loses invocations at a barrier in a loop when a workgroup is larger than a subgroup.
+#ifndef PELAGE_FENCE
+#define PELAGE_FENCE() memoryBarrierBuffer()
+#endif
+
+const int pelage_memory_order_relaxed = 0;
+const int pelage_memory_order_consume = 1;
+const int pelage_memory_order_acquire = 2;
+const int pelage_memory_order_release = 3;
+const int pelage_memory_order_acq_rel = 4;
+const int pelage_memory_order_seq_cst = 5;
+
+/// A value that was loaded: what comes after stays after it, if the order says so.
+uint pelage_acquire(uint value, int order) {
+  if (order != pelage_memory_order_relaxed && order != pelage_memory_order_release) {
+    PELAGE_FENCE();
+  }
+  return value;
+}
+
+/// A value on its way to memory: what came before stays before it, if the order says so.
+uint pelage_release(uint value, int order) {
+  if (order >= pelage_memory_order_release) {
+    PELAGE_FENCE();
+  }
+  return value;
+}
+
+#endif
+)";
+}
+
+std::string memory_order_64_text() {
+  return std::string(licence) + R"(// Generated by pelage-glsl: memory_order.glsl for cells of 64 bits.
+#ifndef PELAGE_CORE_MEMORY_ORDER_64_GLSL
+#define PELAGE_CORE_MEMORY_ORDER_64_GLSL
+
+#include "memory_order.glsl"
+
+// The load of a cell. A shader for hardware that loads 64 bits in two parts may define it before it includes this
+// file, as atomicOr(cell, 0ul).
+#ifndef PELAGE_LOAD_64
+#define PELAGE_LOAD_64(cell) cell
+#endif
+
+/// As pelage_acquire() of a uint.
+uint64_t pelage_acquire(uint64_t value, int order) {
+  pelage_acquire(0u, order);
+  return value;
+}
+
+/// As pelage_release() of a uint.
+uint64_t pelage_release(uint64_t value, int order) {
+  pelage_release(0u, order);
+  return value;
+}
+
+#endif
+)";
 }
 
 }  // namespace pelage::codegen

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 // The mirror as strings in a header.
 #include "model.hpp"
+#include "names.hpp"
 
-#include <algorithm>
 #include <filesystem>
-#include <sstream>
+#include <functional>
 
 namespace pelage::codegen {
 
@@ -48,76 +48,50 @@ std::string identifier(const std::string& path) {
   return name;
 }
 
-/// Each file as the pieces between its includes, and the joins of those with what is included, once each: what a file
-/// includes twice its guards would drop.
-class joined_files {
- public:
-  explicit joined_files(const std::vector<std::pair<std::string, std::string>>& files) {
-    for (const auto& [path, text] : files)
-      cut(path, text);
-    for (const auto& [path, text] : files) {
-      std::set<std::string> seen;
-      joins += "inline constexpr auto " + identifier(path) + " = join<" + parts_of(path, seen).substr(2) + ">();\n";
-    }
-  }
-
-  std::string pieces;
-  std::string joins;
-
- private:
-  struct part {
-    std::string name;  ///< of a piece, or the path of a file
-    bool is_file;
-  };
-
-  void cut(const std::string& path, const std::string& all) {
-    std::string text;
-    const auto end_piece = [&] {
-      const std::string name = identifier(path) + "_" + std::to_string(parts_[path].size() / 2);
-      pieces += "inline constexpr char " + name + "[] = R\"glsl(" + text + ")glsl\";\n";
-      parts_[path].push_back({name, false});
-      text.clear();
-    };
-    std::istringstream lines(all);
-    for (std::string line; std::getline(lines, line);) {
-      if (line.rfind("#include \"", 0) != 0) {
-        text += line + "\n";
-        continue;
-      }
-      end_piece();
-      const std::filesystem::path named = line.substr(10, line.rfind('"') - 10);
-      parts_[path].push_back({(std::filesystem::path(path).parent_path() / named).lexically_normal().string(), true});
-    }
-    end_piece();
-  }
-
-  /// ", piece, piece" of a file and of what it includes.
-  std::string parts_of(const std::string& path, std::set<std::string>& seen) const {
-    if (!seen.insert(path).second) return "";
-    std::string list;
-    for (const part& p : parts_.at(path))
-      list += p.is_file ? parts_of(p.name, seen) : ", " + p.name;
-    return list;
-  }
-
-  std::map<std::string, std::vector<part>> parts_;
-};
-
 }  // namespace
 
+/// Each file is cut into the pieces between its includes, and joined of those and of what is included, once each: what
+/// a file includes twice its guards would drop.
 std::string strings_header(const std::vector<std::pair<std::string, std::string>>& files) {
-  const joined_files all(files);
-  std::string text = std::string(licence) + introduction + all.pieces + join + all.joins + "\n}  // namespace detail\n";
-  std::string folder;
-  for (const auto& [path, content] : files) {
-    const std::string in = std::filesystem::path(path).parent_path().string();
-    if (in != folder) text += (folder.empty() ? "" : "}  // namespace " + folder + "\n") + "\nnamespace " + in + " {\n";
-    folder = in;
-    const std::string array = "detail::" + identifier(path);
-    text += "inline constexpr std::string_view " + std::filesystem::path(path).stem().string() + "{" + array +
-            ".data(), " + array + ".size() - 1};\n";
+  const std::regex include("#include \"([^\"]*)\"\n");
+  std::string pieces;
+  std::map<std::string, std::vector<std::string>> parts;  // a piece's name, an included file's path, and so on in turn
+  for (const auto& [path, text] : files) {
+    std::vector<std::string>& cut = parts[path];
+    for (std::sregex_token_iterator one(text.begin(), text.end(), include, {-1, 1}), end; one != end; ++one) {
+      if (cut.size() % 2 != 0) {
+        cut.push_back((std::filesystem::path(path).parent_path() / one->str()).lexically_normal().string());
+        continue;
+      }
+      cut.push_back(identifier(path) + "_" + std::to_string(cut.size() / 2));
+      pieces += filled("inline constexpr char {0}[] = R\"glsl({1})glsl\";\n", cut.back(), one->str());
+    }
   }
-  return text + "}  // namespace " + folder + "\n\n}  // namespace pelage::glsl\n";
+  std::set<std::string> seen;
+  const std::function<std::string(const std::string&)> joined = [&](const std::string& path) {
+    std::string list;
+    if (!seen.insert(path).second) return list;
+    for (std::size_t i = 0; i < parts[path].size(); ++i)
+      list += i % 2 == 0 ? ", " + parts[path][i] : joined(parts[path][i]);
+    return list;
+  };
+  std::string joins;
+  std::string views;
+  std::string folder;
+  for (const auto& [path, text] : files) {
+    seen.clear();
+    joins += filled("inline constexpr auto {0} = join<{1}>();\n", identifier(path), joined(path).substr(2));
+    const std::filesystem::path name = path;
+    if (name.parent_path() != folder) {
+      if (!folder.empty()) views += "}  // namespace " + folder + "\n";
+      folder = name.parent_path().string();
+      views += "\nnamespace " + folder + " {\n";
+    }
+    views += filled("inline constexpr std::string_view {0}{{detail::{1}.data(), detail::{1}.size() - 1};\n",
+                    name.stem().string(), identifier(path));
+  }
+  return std::string(licence) + introduction + pieces + join + joins + "\n}  // namespace detail\n" + views +
+         "}  // namespace " + folder + "\n\n}  // namespace pelage::glsl\n";
 }
 
 }  // namespace pelage::codegen

@@ -34,15 +34,11 @@ constexpr std::pair<Stmt::StmtClass, const char*> no_form[] = {
 }  // namespace
 
 std::string translator::glsl(const Stmt* s, position at) {
-  if (const auto* e = dyn_cast<Expr>(s)) {
-    if (std::string cell; storage_expression(e, cell, at)) return cell;
-  }
   return llvm::TypeSwitch<const Stmt*, std::string>(s)
       .Case<FullExpr, MaterializeTemporaryExpr, CXXBindTemporaryExpr>(
           [&](const auto* x) { return glsl(x->getSubExpr(), at); })
       .Case<CXXDefaultArgExpr>([&](const auto* x) { return glsl(x->getExpr(), at); })
-      .Case<SubstNonTypeTemplateParmExpr>(
-          [&](const auto* x) { return size_name(x->getParameter(), x->getBeginLoc()); })
+      .Case<SubstNonTypeTemplateParmExpr>([&](const auto* x) { return size_name(x->getParameter(), x->getBeginLoc()); })
       .Case<IntegerLiteral>([&](const auto* x) { return literal(x, x->getType()); })
       .Case<FloatingLiteral>([&](const auto* x) {
         const bool real = context_.hasSameUnqualifiedType(x->getType(), context_.FloatTy);

@@ -8,8 +8,10 @@
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/StmtCXX.h>
 
+#include <llvm/ADT/MapVector.h>
+#include <llvm/ADT/SetVector.h>
 #include <llvm/ADT/StringExtras.h>
-#include <deque>
+#include <llvm/ADT/StringSwitch.h>
 #include <functional>
 #include <map>
 #include <memory>
@@ -42,9 +44,6 @@ enum class position { part, whole, statement };
   return variable->isLValueReferenceType() && !variable.getNonReferenceType().isConstQualified();
 }
 
-/// The /// lines that end right above the line of an offset.
-[[nodiscard]] std::string doc_lines_above(llvm::StringRef text, std::size_t offset);
-
 /// Translates definitions into the entities of units. Every instantiation that is reached is translated; two of one
 /// template must come out alike, which proves that no size or type was lost on the way.
 class translator {
@@ -66,6 +65,18 @@ class translator {
   [[nodiscard]] static bool is_storage(const clang::CXXRecordDecl* r);
 
  private:
+  struct array {
+    clang::QualType element;
+    std::string extent;
+    std::uint64_t count;
+    bool sized;  ///< by a macro
+  };
+
+  struct seen_sizes {
+    clang::SourceLocation first;
+    std::set<std::string> values;
+  };
+
   // declarations.cpp
   void translate_function(const clang::FunctionDecl* f);
   void translate_record(const clang::CXXRecordDecl* r);
@@ -76,6 +87,7 @@ class translator {
   std::string use(const clang::NamedDecl* d, clang::SourceLocation where);
   entity& slot(const clang::NamedDecl* d);
   std::string parameters(const clang::FunctionDecl* f);
+  void reject_any(clang::SourceLocation where, const std::vector<std::pair<bool, const char*>>& reasons);
   void check_alike(const entity& one, const entity& other, clang::SourceLocation where);
 
   // checks.cpp
@@ -90,21 +102,27 @@ class translator {
   static const clang::Expr* without_conversions(const clang::Expr* e);
   std::string size_expression(const clang::Expr* e);
   std::string scalar_type(clang::QualType t, clang::SourceLocation where);
-  std::string array_value(clang::QualType array, const std::vector<const clang::Expr*>& given,
+  std::optional<array> array_of(clang::QualType t);
+
+  // values.cpp
+  std::string spelling(clang::SourceLocation literal) const;
+  std::string literal(const clang::FloatingLiteral* l);
+  std::string literal(const clang::IntegerLiteral* l, clang::QualType as);
+  std::string suffix(clang::QualType integer) const;
+  std::string constant(const clang::Expr* e);
+  std::optional<double> folded(const clang::Expr* e);
+  std::string rounded(const clang::BinaryOperator* x);
+  std::string listed(const std::vector<const clang::Expr*>& values);
+  std::string initializer_list(const clang::InitListExpr* l);
+  std::string construct(const clang::CXXConstructExpr* c);
+  std::string array_value(clang::QualType type, const std::vector<const clang::Expr*>& given,
                           clang::SourceLocation where);
   std::string zero(clang::QualType t, clang::SourceLocation where);
-  bool is_array(clang::QualType t, clang::QualType& element, std::string& extent);
 
   // sizes.cpp
   std::string size_name(const clang::NonTypeTemplateParmDecl* p, clang::SourceLocation where);
   void set_templates(const clang::Decl* d);
-  void find_aliases(const clang::FunctionDecl* f);
-  void bind_size(const clang::TemplateDecl* of, unsigned index, const clang::TemplateArgument& value,
-                 const clang::TemplateArgument* written);
-  void bind_sizes(const clang::FunctionDecl* callee, const clang::Expr* call);
-  void bind_sizes(clang::QualType t);
-  void note_sizes(const clang::NamedDecl* owner, const clang::TemplateDecl* pattern,
-                  const clang::TemplateArgumentList& arguments);
+  void bind_sizes(const clang::Decl* used, llvm::ArrayRef<clang::TemplateArgument> written);
   void note_condition(const clang::StaticAssertDecl* check);
 
   // syntax.cpp
@@ -118,34 +136,19 @@ class translator {
   std::string conversion(const clang::CastExpr* c, position at);
   std::string reference(const clang::DeclRefExpr* r);
   std::string member(const clang::MemberExpr* m);
-  std::string listed(const std::vector<const clang::Expr*>& values);
-  std::string initializer_list(const clang::InitListExpr* l);
-
-  // literals.cpp
-  std::string spelling(clang::SourceLocation literal) const;
-  std::string literal(const clang::FloatingLiteral* l);
-  std::string literal(const clang::IntegerLiteral* l, clang::QualType as);
-  std::string suffix(clang::QualType integer) const;
-  std::string constant(const clang::Expr* e);
-  std::optional<double> folded(const clang::Expr* e);
-  std::string rounded(const clang::BinaryOperator* x);
 
   // calls.cpp
   std::string call(const clang::CallExpr* c, position at);
   std::string operator_call(const clang::CXXOperatorCallExpr* c, position at);
-  std::string construct(const clang::CXXConstructExpr* c);
   std::string arguments(const clang::FunctionDecl* f, const std::vector<const clang::Expr*>& args,
                         const clang::Expr* object, const clang::Expr* whole_call, position at);
-
-  // library.cpp
   std::string library_call(const clang::CallExpr* c, const clang::FunctionDecl* f);
-  std::string bit_cast(const clang::CallExpr* c);
 
   // storage.cpp
-  bool storage_expression(const clang::Expr* e, std::string& text, position at);
+  std::string cell_macro(const clang::Expr* e, const std::string& suffix, const std::string& parameter);
+  const clang::Expr* counted_span(const clang::CastExpr* c) const;
   std::string atomic(const clang::CallExpr* c, const clang::Expr* reference, const std::string& name, unsigned first,
                      position at);
-  std::string cell_name(const clang::Expr* e, const std::string& index);
   bool is_storage_type(clang::QualType t) const;
 
   // statements.cpp
@@ -162,9 +165,6 @@ class translator {
   std::string local_name(const clang::ValueDecl* v);
   unsigned end_of(const clang::Stmt* s, bool below) const;
 
-  // comments.cpp
-  std::string doc_above(clang::SourceLocation declaration);
-  std::string doc_beside(clang::SourceLocation declaration);
   unsigned offset(clang::SourceLocation l) const { return sources_.getFileOffset(sources_.getExpansionLoc(l)); }
   clang::FileID file(clang::SourceLocation l) const { return sources_.getFileID(sources_.getExpansionLoc(l)); }
 
@@ -173,17 +173,14 @@ class translator {
   problems& found_;
   unit_finder unit_of_;
 
-  std::map<const clang::Decl*, std::unique_ptr<entity>> entities_;  ///< by the pattern's canonical declaration
-  std::set<const clang::Decl*> required_;                           ///< instantiations seen
-  std::deque<const clang::NamedDecl*> waiting_;
-  std::map<std::string, std::set<std::string>> sizes_seen_;  ///< arguments of each template with a size
-  std::map<std::string, clang::SourceLocation> size_places_;
+  llvm::MapVector<const clang::Decl*, std::unique_ptr<entity>> entities_;  ///< by the pattern's canonical declaration
+  llvm::SetVector<const clang::NamedDecl*> required_;                      ///< instantiations
+  std::map<std::string, seen_sizes> sizes_seen_;                           ///< of each template with a size
 
   // Of the definition in hand.
   std::unique_ptr<entity> fresh_;
   std::vector<const clang::TemplateDecl*> templates_;  ///< enclosing ones, outermost first
   std::vector<std::pair<std::string, llvm::APSInt>> size_values_;
-  std::map<std::string, std::string> aliases_;  ///< sizes of a function that are a parameter's sizes
   bool in_storage_ = false;
   bool arithmetic_ = false;  ///< floating-point arithmetic seen
   std::set<std::string> locals_;

@@ -13,7 +13,7 @@ struct cells {
   std::uint32_t take() noexcept { return std::atomic_ref(*total).fetch_add(1u, std::memory_order_relaxed); }
   bool claim(std::uint32_t i, std::uint32_t v) noexcept {
     std::uint32_t expected = 0u;
-    return std::atomic_ref(word[i]).compare_exchange_strong(expected, v, std::memory_order_relaxed);
+    return std::atomic_ref(word[i]).compare_exchange_strong(expected, v, std::memory_order_relaxed);  // error: result of compare_exchange_strong: compare `expected`
   }
   std::uint32_t subtract(std::uint32_t i) noexcept {
     return std::atomic_ref(word[i]).fetch_sub(1u, std::memory_order_relaxed);  // error: std::atomic_ref::fetch_sub has no GLSL form
