@@ -39,6 +39,9 @@ constexpr form forms[] = {
     {"atomic_thread_fence", result_kind::other, "PELAGE_FENCE()"},
 };
 
+/// What std:: and glm:: call otherwise.
+const std::map<std::string, std::string> other_names = {{"fabs", "abs"}, {"atan2", "atan"}, {"not_", "not"}};
+
 /// std::bit_cast by the types that it leads from and to.
 const std::map<std::string, std::string> bit_casts = {{"float uint", "floatBitsToUint"},
                                                       {"float int", "floatBitsToInt"},
@@ -65,108 +68,84 @@ bool overlap(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-/// The arguments of one of our own functions, storage left out. Checks what C++ and GLSL would do differently: order
-/// of effects, and inout copies of places that are one place in C++.
-std::string translator::arguments(const FunctionDecl* f, const std::vector<const Expr*>& args, const Expr* object,
-                                  const Expr* whole_call, position at) {
-  std::string text;
+/// A call of one of our own functions, storage left out. Checks what C++ and GLSL would do differently: order of
+/// effects, and inout copies of places that are one place in C++.
+std::string translator::call(const CallExpr* c, const FunctionDecl* f, position at) {
+  const std::string name = use(f, c->getBeginLoc());
+  bind_sizes(f, {});
+  std::vector<std::string> all;
   std::vector<std::pair<std::string, bool>> places;  // path, written to
   bool effects = false;
-  if (object != nullptr) {
-    const bool writes = !cast<CXXMethodDecl>(f)->isConst();
-    text = isa<CXXThisExpr>(object->IgnoreParenImpCasts()) ? "self" : glsl(object);
-    places.emplace_back(text, writes);
-    effects = writes;
-  }
-  for (std::size_t i = 0; i < args.size(); ++i) {
-    const QualType parameter = f->getParamDecl(static_cast<unsigned>(i))->getType();
-    if (is_storage_type(parameter)) {
-      effects = effects || writes_to(parameter);
-      continue;
+  const auto pass = [&](const Expr* argument, bool by_reference, bool writes) {
+    effects = effects || writes;
+    if (is_storage_type(argument->getType())) return;
+    all.push_back(isa<CXXThisExpr>(argument->IgnoreParenImpCasts()) ? "self" : glsl(argument));
+    if (by_reference) places.emplace_back(all.back(), writes);
+  };
+  if (const auto* method = dyn_cast<CXXMethodDecl>(f)) {
+    bind_sizes(method->getParent(), {});
+    const auto* of_object = dyn_cast<CXXMemberCallExpr>(c);
+    if (of_object != nullptr && !method->isStatic()) {
+      pass(of_object->getImplicitObjectArgument(), true, !method->isConst());
     }
-    const std::string one = glsl(args[i]);
-    if (parameter->isReferenceType()) places.emplace_back(one, writes_to(parameter));
-    effects = effects || writes_to(parameter);
-    text += (text.empty() ? "" : ", ") + one;
   }
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if ((places[i].second || places[j].second) && overlap(places[i].first, places[j].first)) {
-        reject(whole_call->getBeginLoc(), "aliasing arguments: `" + places[j].first + "` and `" + places[i].first +
-                                              "` share a place that the call writes to");
+  for (const ParmVarDecl* p : f->parameters()) {
+    pass(c->getArg(p->getFunctionScopeIndex()), p->getType()->isReferenceType(), writes_to(p->getType()));
+  }
+  for (auto one = places.begin(); one != places.end(); ++one) {
+    for (auto other = places.begin(); other != one; ++other) {
+      if ((one->second || other->second) && overlap(one->first, other->first)) {
+        reject(c, filled("aliasing arguments: `{0}` and `{1}` share a place that the call writes to", other->first,
+                         one->first));
       }
     }
   }
-  if (effects && at == position::part) {
-    reject(whole_call->getBeginLoc(), "call with an effect inside an expression: give its result a name first");
-  }
-  return text;
+  if (effects && at == position::part) return reject(c, effect_inside);
+  return name + "(" + llvm::join(all, ", ") + ")";
 }
 
 std::string translator::call(const CallExpr* c, position at) {
   const FunctionDecl* f = c->getDirectCallee();
-  if (f == nullptr) return reject(c->getBeginLoc(), "call through a pointer or of a callable object");
-  const std::vector<const Expr*> args(c->arg_begin(), c->arg_end());
-  const Expr* object = nullptr;
-  const std::string qualified = f->getQualifiedNameAsString();
+  if (f == nullptr) return reject(c, "call through a pointer or of a callable object");
+  const std::string name = f->getQualifiedNameAsString();
   // std::atomic_ref has no minimum before C++26: the library's own stands for GLSL's.
-  if (qualified == "pelage::fetch_minimum") return atomic(c, c->getArg(0), "fetch_min", 1, at);
+  if (name == "pelage::fetch_minimum") return atomic(c, c->getArg(0), "fetch_min", 1, at);
   if (const auto* m = dyn_cast<CXXMemberCallExpr>(c)) {
-    object = m->getImplicitObjectArgument();
-    if (qualified.rfind("std::__atomic_ref", 0) == 0 || qualified.rfind("std::atomic_ref", 0) == 0) {
+    const Expr* object = m->getImplicitObjectArgument();
+    if (std::regex_search(name, std::regex("^std::(__)?atomic_ref"))) {
       return atomic(c, object, f->getNameAsString(), 0, at);
     }
     if (is_std_type(object->getType(), "span")) {
-      return reject(c->getBeginLoc(), "a span's size is a size_t: write static_cast<std::uint32_t>(x.size())");
+      return reject(c, "a span's size is a size_t: write static_cast<std::uint32_t>(x.size())");
     }
-    if (is_std_type(object->getType(), "array")) {
-      return reject(c->getBeginLoc(), "std::array::" + f->getNameAsString() + ": only [] is in the subset");
-    }
-    if (is_in(f, "glm")) return reject(c->getBeginLoc(), qualified + " is not in the subset");
-    if (m->getMethodDecl()->isVirtual()) return reject(c->getBeginLoc(), "virtual function");
   }
-  if (is_in(f, "std") || is_in(f, "glm") || f->getBuiltinID() != 0) return library_call(c, f);
-  if (f->isVariadic()) return reject(c->getBeginLoc(), "variadic function");
-  if (isa<CXXConversionDecl>(f)) return reject(c->getBeginLoc(), "conversion operator");
-  const std::string name = use(f, c->getBeginLoc());
-  bind_sizes(f, {});
-  const bool through_storage = object != nullptr && is_storage_type(object->getType());
-  if (through_storage && !cast<CXXMethodDecl>(f)->isConst() && at == position::part) {
-    reject(c->getBeginLoc(), "call with an effect inside an expression: give its result a name first");
-  }
-  const auto* method = dyn_cast<CXXMethodDecl>(f);
-  if (method != nullptr) bind_sizes(method->getParent(), {});
-  const bool no_self = through_storage || (method != nullptr && method->isStatic());
-  return name + "(" + arguments(f, args, no_self ? nullptr : object, c, at) + ")";
+  const bool library = is_in(f, "std") || is_in(f, "glm") || f->getBuiltinID() != 0;
+  return library ? library_call(c, f) : call(c, f, at);
 }
 
 std::string translator::operator_call(const CXXOperatorCallExpr* c, position at) {
   const OverloadedOperatorKind op = c->getOperator();
   const FunctionDecl* f = c->getDirectCallee();
   const QualType left = c->getArg(0)->getType();
-  if (op == OO_Subscript && is_std_type(left, "span")) {
-    return cell_macro(c->getArg(0), "", "(i)") + "(" + glsl(without_conversions(c->getArg(1))) + ")";
-  }
-  if (op == OO_Subscript && (is_std_type(left, "array") || (f != nullptr && is_in(f, "glm")))) {
+  if (f == nullptr || op == OO_Call) return reject(c, "call through a pointer or of a callable object");
+  const bool vector = is_in(f, "glm");
+  if (op == OO_Subscript && (vector || is_std_type(left, "array") || is_std_type(left, "span"))) {
     // The index is a size_t in C++; its own type will do here.
-    return glsl(c->getArg(0)) + "[" + glsl(without_conversions(c->getArg(1))) + "]";
+    const std::string index = glsl(c->getArg(1)->IgnoreImplicit());
+    if (is_std_type(left, "span")) return cell_macro(c->getArg(0), "", "(i)") + "(" + index + ")";
+    return glsl(c->getArg(0)) + "[" + index + "]";
   }
-  if (op == OO_Call) return reject(c->getBeginLoc(), "call through a pointer or of a callable object");
-  const bool assigns = c->isAssignmentOp();
-  const auto* method = dyn_cast_or_null<CXXMethodDecl>(f);
+  const auto* method = dyn_cast<CXXMethodDecl>(f);
   const bool copies = op == OO_Equal && method != nullptr && !method->isUserProvided();
-  if (f == nullptr || !(is_in(f, "glm") || copies)) {
+  if (!vector && !copies) {
     // An operator of ours is a function by another name, as long as it changes nothing.
-    if (f == nullptr || method != nullptr || operator_name(f).empty()) {
-      return reject(c->getOperatorLoc(), "operator overload: call a function instead");
-    }
-    return call(c, at);
+    if (method == nullptr && !operator_name(f).empty()) return call(c, f, at);
+    return reject(c->getOperatorLoc(), "operator overload: call a function instead");
   }
-  if (assigns && at == position::part) {
-    return reject(c->getOperatorLoc(), "assignment inside an expression: make it a statement of its own");
-  }
+  const bool assigns = c->isAssignmentOp();
+  if (assigns && at == position::part) return reject(c->getOperatorLoc(), assignment_inside);
   if (op == OO_PlusPlus || op == OO_MinusMinus) return reject(c->getOperatorLoc(), "increment of a vector");
-  arithmetic_ = arithmetic_ || is_in(f, "glm");
+  arithmetic_ = arithmetic_ || vector;
   const std::string spelled = getOperatorSpelling(op);
   if (c->getNumArgs() == 1) return spelled + glsl(c->getArg(0));
   return glsl(c->getArg(0)) + " " + spelled + " " + glsl(c->getArg(1), assigns ? position::whole : position::part);
@@ -176,11 +155,8 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
 std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
   const SourceLocation where = c->getBeginLoc();
   const std::string name = f->getQualifiedNameAsString();
-  const std::string bare = llvm::StringSwitch<std::string>(name.substr(name.rfind(':') + 1))
-                               .Case("fabs", "abs")
-                               .Case("atan2", "atan")
-                               .Case("not_", "not")
-                               .Default(name.substr(name.rfind(':') + 1));
+  std::string bare = name.substr(name.rfind(':') + 1);
+  if (const auto other = other_names.find(bare); other != other_names.end()) bare = other->second;
   if (c->getNumArgs() == 0) {
     const std::string value = constant(c);
     if (!value.empty()) return value;
@@ -210,7 +186,7 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
   }
   if (known == std::end(forms)) {
     const bool writes = llvm::any_of(f->parameters(), [](const ParmVarDecl* p) { return writes_to(p->getType()); });
-    if (writes || !is_builtin(bare)) return reject(where, name + " has no GLSL form here");
+    if (writes || isa<CXXMethodDecl>(f) || !is_builtin(bare)) return reject(where, name + " has no GLSL form here");
     arithmetic_ = arithmetic_ || has_float(c->getType());
     return bare + "(" + llvm::join(arguments, ", ") + ")";
   }

@@ -23,14 +23,11 @@ constexpr CastKind numeric[] = {CK_IntegralCast, CK_IntegralToFloating, CK_Float
 
 /// The value of a conversion that vanishes, in the conversion's parentheses where it needs them.
 std::string kept(const CastExpr* c, const std::string& value) {
-  const Expr* from = c->getSubExpr();
-  for (const auto* x = dyn_cast<ImplicitCastExpr>(from); x != nullptr; x = dyn_cast<ImplicitCastExpr>(from)) {
-    if (x->getCastKind() != CK_LValueToRValue && x->getCastKind() != CK_NoOp) break;
-    from = x->getSubExpr();
-  }
+  const Expr* from = c->getSubExpr()->IgnoreImplicit();
   const auto* op = dyn_cast<CXXOperatorCallExpr>(from);
   const bool loose = isa<BinaryOperator, ConditionalOperator>(from) || (op != nullptr && op->isInfixBinaryOp());
-  return loose && isa<ExplicitCastExpr>(c) ? "(" + value + ")" : value;
+  const bool same = from->getType().getCanonicalType() == c->getSubExpr()->getType().getCanonicalType();
+  return loose && same && isa<ExplicitCastExpr>(c) ? "(" + value + ")" : value;
 }
 
 }  // namespace
@@ -55,7 +52,7 @@ std::string translator::unary(const UnaryOperator* x, position at) {
 std::string translator::binary(const BinaryOperator* x, position at) {
   const BinaryOperatorKind op = x->getOpcode();
   if (x->isAssignmentOp() && at != position::statement) {
-    return reject(x->getOperatorLoc(), "assignment inside an expression: make it a statement of its own");
+    return reject(x->getOperatorLoc(), assignment_inside);
   }
   if (op == BO_Comma) return reject(x->getOperatorLoc(), "comma operator");
   if (op == BO_Cmp) return reject(x->getOperatorLoc(), "operator <=>");
@@ -65,7 +62,7 @@ std::string translator::binary(const BinaryOperator* x, position at) {
   }
   if (const auto* c = dyn_cast<CompoundAssignOperator>(x);
       c != nullptr && !context_.hasSameUnqualifiedType(c->getComputationResultType(), c->getLHS()->getType())) {
-    return reject(x->getBeginLoc(), "compound assignment that converts: write the conversion out");
+    return reject(x, "compound assignment that converts: write the conversion out");
   }
   arithmetic_ = arithmetic_ || (x->getType()->isFloatingType() && !x->isComparisonOp() && op != BO_Assign);
   if (const std::string value = rounded(x); !value.empty()) return value;
@@ -137,15 +134,15 @@ std::string translator::reference(const DeclRefExpr* r) {
   const auto* v = dyn_cast<VarDecl>(d);
   if (isa<BindingDecl>(d) || (v != nullptr && v->isStaticLocal())) return d->getNameAsString();  // told already
   if (v == nullptr) {
-    return reject(r->getBeginLoc(), isa<FunctionDecl>(d) ? "function used as a value"
-                                                         : "`" + d->getNameAsString() + "` is not in the subset");
+    return reject(
+        r, isa<FunctionDecl>(d) ? "function used as a value" : "`" + d->getNameAsString() + "` is not in the subset");
   }
   if (is_storage_type(v->getType())) {
-    return reject(r->getBeginLoc(), "storage can only be passed on whole, or called");
+    return reject(r, "storage can only be passed on whole, or called");
   }
   if (!v->hasGlobalStorage()) return v->getNameAsString();
   if (!v->isConstexpr()) {
-    return reject(r->getBeginLoc(), "global variable `" + v->getNameAsString() + "` that is not constexpr");
+    return reject(r, "global variable `" + v->getNameAsString() + "` that is not constexpr");
   }
   if (v->isInStdNamespace()) {
     if (v->getType()->isEnumeralType()) return "pelage_" + v->getNameAsString();  // std::memory_order_relaxed
@@ -157,11 +154,11 @@ std::string translator::reference(const DeclRefExpr* r) {
 std::string translator::member(const MemberExpr* m) {
   const ValueDecl* d = m->getMemberDecl();
   if (const auto* v = dyn_cast<VarDecl>(d)) {
-    if (!v->isConstexpr()) return reject(m->getBeginLoc(), "static data member that is not constexpr");
+    if (!v->isConstexpr()) return reject(m, "static data member that is not constexpr");
     return use(v, m->getBeginLoc());
   }
   const auto* f = dyn_cast<FieldDecl>(d);
-  if (f == nullptr) return reject(m->getBeginLoc(), "`" + d->getNameAsString() + "` is not in the subset");
+  if (f == nullptr) return reject(m, "`" + d->getNameAsString() + "` is not in the subset");
   const Expr* base = m->getBase();
   if (f->isAnonymousStructOrUnion()) return glsl(base);  // glm's v.x lies in one
   std::string text = isa<CXXThisExpr>(base->IgnoreParenImpCasts()) ? "self" : glsl(base);

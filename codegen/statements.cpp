@@ -31,7 +31,7 @@ std::string braced(const std::string& text) {
 std::string translator::statement(const Stmt* s) {
   const auto* e = dyn_cast<Expr>(s);
   if (e != nullptr && !e->HasSideEffects(context_) && !e->getType()->isVoidType()) {
-    return reject(s->getBeginLoc(), "statement without effect");
+    return reject(s, "statement without effect");
   }
   const std::string one = glsl(s, position::statement);
   const bool open = isa<Expr, ReturnStmt, BreakStmt, ContinueStmt, DoStmt>(s) && !one.empty() && one.back() != '}';
@@ -73,7 +73,7 @@ unsigned translator::end_of(const Stmt* s, bool below) const {
 }
 
 std::string translator::control(const Stmt* s, const std::string& keyword, bool declares) {
-  return declares ? reject(s->getBeginLoc(), "declaration inside `" + keyword + "`") : as_written(s);
+  return declares ? reject(s, "declaration inside `" + keyword + "`") : as_written(s);
 }
 
 std::string translator::compound(const CompoundStmt* s) {
@@ -85,7 +85,7 @@ std::string translator::compound(const CompoundStmt* s) {
 std::string translator::if_statement(const IfStmt* s) {
   if (!s->isConstexpr()) return control(s, "if", s->hasInitStorage() || s->hasVarStorage());
   if (has_size(s->getCond())) {
-    return reject(s->getBeginLoc(), "`if constexpr` over a size: the size is lost, use a plain `if`");
+    return reject(s, "`if constexpr` over a size: the size is lost, use a plain `if`");
   }
   bool taken = false;
   (void)s->getCond()->EvaluateAsBooleanCondition(taken, context_);
@@ -102,7 +102,7 @@ std::string translator::range_loop(const CXXForRangeStmt* s) {
   if (const auto* r = dyn_cast<DeclRefExpr>(range)) range_type = r->getDecl()->getType();
   const std::optional<array> items = array_of(range_type.getNonReferenceType().getUnqualifiedType());
   if (!items) {
-    return reject(range->getBeginLoc(), "range-for over something other than a std::array");
+    return reject(range, "range-for over something other than a std::array");
   }
   const std::string name = local_name(v);
   const std::string index = "pelage_" + name + "_index";
@@ -122,9 +122,7 @@ std::string translator::variables(const DeclStmt* s) {
   std::string text;
   for (const Decl* d : s->decls()) {
     if (const auto* check = dyn_cast<StaticAssertDecl>(d)) note_condition(check);
-    if (isa<StaticAssertDecl>(d) || isa<TypedefNameDecl>(d) || isa<UsingDecl>(d) || isa<UsingDirectiveDecl>(d)) {
-      continue;
-    }
+    if (isa<StaticAssertDecl, TypedefNameDecl, UsingDecl, UsingDirectiveDecl>(d)) continue;
     const auto* v = dyn_cast<VarDecl>(d);
     if (v == nullptr || isa<DecompositionDecl>(d)) {
       text += reject(d->getBeginLoc(), isa<DecompositionDecl>(d) ? "structured binding" : "local type");

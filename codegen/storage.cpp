@@ -8,33 +8,12 @@ namespace pelage::codegen {
 
 using namespace clang;
 
-namespace {
-
-/// x in std::atomic_ref(x).
-const Expr* referred(const Expr* e) {
-  for (;;) {
-    e = e->IgnoreParenImpCasts();
-    if (const auto* m = dyn_cast<MaterializeTemporaryExpr>(e)) {
-      e = m->getSubExpr();
-    } else if (const auto* b = dyn_cast<CXXBindTemporaryExpr>(e)) {
-      e = b->getSubExpr();
-    } else if (const auto* c = dyn_cast<ExplicitCastExpr>(e)) {
-      e = c->getSubExpr();
-    } else {
-      const auto* made = dyn_cast<CXXConstructExpr>(e);
-      return made != nullptr && made->getNumArgs() == 1 ? made->getArg(0) : nullptr;
-    }
-  }
-}
-
-}  // namespace
-
 /// The macro by which the shader says where a span's element or a pointer's target lies, or how long a span is.
 std::string translator::cell_macro(const Expr* e, const std::string& suffix, const std::string& parameter) {
   const auto* m = dyn_cast<MemberExpr>(e->IgnoreParenImpCasts());
   const auto* f = m == nullptr ? nullptr : dyn_cast<FieldDecl>(m->getMemberDecl());
   if (f == nullptr || !in_storage_) {
-    return reject(e->getBeginLoc(), "spans and pointers can only be members of storage, reached by its functions");
+    return reject(e, "spans and pointers can only be members of storage, reached by its functions");
   }
   const std::string name = upper(global_name(f)) + suffix;
   fresh_->where->cells[name] = {name + parameter, suffix.empty() ? doc_beside(f) : "///< how many of them"};
@@ -54,8 +33,9 @@ const Expr* translator::counted_span(const CastExpr* c) const {
 /// its way out; both are fences of the given order, and left out where the order is relaxed for good.
 std::string translator::atomic(const CallExpr* c, const Expr* reference, const std::string& name, unsigned first,
                                position at) {
-  const Expr* place = referred(reference);
-  if (place == nullptr) return reject(c->getBeginLoc(), "atomics: write std::atomic_ref(cell).operation(...)");
+  const auto* made = dyn_cast<CXXConstructExpr>(reference->IgnoreParenCasts());
+  const Expr* place = made != nullptr && made->getNumArgs() == 1 ? made->getArg(0) : nullptr;
+  if (place == nullptr) return reject(c, "atomics: write std::atomic_ref(cell).operation(...)");
   const std::string target = glsl(place);
   fresh_->where->uses_atomics = true;
   const bool wide = context_.getTypeSize(place->getType()) == 64;
@@ -67,13 +47,12 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
   };
   if (name == "load") return fenced("pelage_acquire", wide ? "PELAGE_LOAD_64(" + target + ")" : target, arg(0));
   if (at == position::part) {
-    return reject(c->getBeginLoc(), "call with an effect inside an expression: give its result a name first");
+    return reject(c, effect_inside);
   }
   if (name == "store") return filled("atomicExchange({0}, {1})", target, fenced("pelage_release", arg(0), arg(1)));
   if (name == "compare_exchange_strong") {
     // It leaves in `expected` what it found, taken or not: the same as assigning the result.
-    if (at != position::statement)
-      return reject(c->getBeginLoc(), "result of compare_exchange_strong: compare `expected`");
+    if (at != position::statement) return reject(c, "result of compare_exchange_strong: compare `expected`");
     const std::string value = fenced("pelage_release", arg(1), arg(2));
     const std::string found = filled("atomicCompSwap({0}, {1}, {2})", target, arg(0), value);
     return arg(0) + " = " + fenced("pelage_acquire", found, arg(2));
@@ -86,7 +65,7 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
                               .Case("fetch_xor", "atomicXor")
                               .Case("fetch_min", "atomicMin")
                               .Default(nullptr);
-  if (operation == nullptr) return reject(c->getBeginLoc(), "std::atomic_ref::" + name + " has no GLSL form");
+  if (operation == nullptr) return reject(c, "std::atomic_ref::" + name + " has no GLSL form");
   const std::string value = fenced("pelage_release", arg(0), arg(1));
   return fenced("pelage_acquire", filled("{0}({1}, {2})", operation, target, value), arg(1));
 }

@@ -42,7 +42,7 @@ std::string translator::glsl(const Stmt* s, position at) {
       .Case<IntegerLiteral>([&](const auto* x) { return literal(x, x->getType()); })
       .Case<FloatingLiteral>([&](const auto* x) {
         const bool real = context_.hasSameUnqualifiedType(x->getType(), context_.FloatTy);
-        return real ? literal(x) : reject(x->getBeginLoc(), "double literal: add `f`, or convert it with Real(...)");
+        return real ? literal(x) : reject(x, "double literal: add `f`, or convert it with Real(...)");
       })
       .Case<CXXBoolLiteralExpr>([](const auto* x) { return x->getValue() ? "true" : "false"; })
       .Case<CXXScalarValueInitExpr, ImplicitValueInitExpr>(
@@ -71,9 +71,8 @@ std::string translator::glsl(const Stmt* s, position at) {
       .Case<ForStmt>([&](const auto* x) { return control(x, "for", x->getConditionVariable() != nullptr); })
       .Case<WhileStmt>([&](const auto* x) { return control(x, "while", x->hasVarStorage()); })
       .Case<SwitchStmt>([&](const auto* x) { return control(x, "switch", x->hasInitStorage() || x->hasVarStorage()); })
-      .Case<CaseStmt>([&](const auto* x) {
-        return x->caseStmtIsGNURange() ? reject(x->getBeginLoc(), "range of cases") : as_written(x);
-      })
+      .Case<CaseStmt>(
+          [&](const auto* x) { return x->caseStmtIsGNURange() ? reject(x, "range of cases") : as_written(x); })
       .Case<DefaultStmt, DoStmt, ReturnStmt, BreakStmt, ContinueStmt>([&](const auto* x) { return as_written(x); })
       .Case<NullStmt>([](const auto*) { return ""; })
       .Case<AttributedStmt>([&](const auto* x) { return statement(x->getSubStmt()); })
@@ -82,9 +81,13 @@ std::string translator::glsl(const Stmt* s, position at) {
 
 std::string translator::outside(const Stmt* s) {
   for (const auto& [kind, reason] : no_form) {
-    if (s->getStmtClass() == kind) return reject(s->getBeginLoc(), reason);
+    if (s->getStmtClass() == kind) return reject(s, reason);
   }
-  return reject(s->getBeginLoc(), std::string(s->getStmtClassName()) + " is not in the subset");
+  return reject(s, std::string(s->getStmtClassName()) + " is not in the subset");
+}
+
+std::string translator::reject(const Stmt* s, const std::string& reason) {
+  return reject(s->getBeginLoc(), reason);
 }
 
 std::string translator::reject(SourceLocation where, const std::string& reason) {

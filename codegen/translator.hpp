@@ -35,6 +35,8 @@ struct glsl_type {
 /// last may assign, and only the last two may call what has an effect: inside an expression the order of evaluation,
 /// which C++ and GLSL leave open each in its own way, would show.
 enum class position { part, whole, statement };
+inline constexpr const char* effect_inside = "call with an effect inside an expression: give its result a name first";
+inline constexpr const char* assignment_inside = "assignment inside an expression: make it a statement of its own";
 
 /// True where a template's integer parameter stands in a statement, which a shader may set otherwise.
 [[nodiscard]] bool has_size(const clang::Stmt* s);
@@ -99,7 +101,6 @@ class translator {
   // types.cpp
   glsl_type type_of(clang::QualType t, clang::SourceLocation where);
   std::string element_type(clang::QualType t, clang::SourceLocation where);
-  static const clang::Expr* without_conversions(const clang::Expr* e);
   std::string size_expression(const clang::Expr* e);
   std::string scalar_type(clang::QualType t, clang::SourceLocation where);
   std::optional<array> array_of(clang::QualType t);
@@ -128,6 +129,7 @@ class translator {
   // syntax.cpp
   std::string glsl(const clang::Stmt* s, position at = position::part);
   std::string outside(const clang::Stmt* s);
+  std::string reject(const clang::Stmt* s, const std::string& reason);
   std::string reject(clang::SourceLocation where, const std::string& reason);
 
   // expressions.cpp
@@ -139,9 +141,8 @@ class translator {
 
   // calls.cpp
   std::string call(const clang::CallExpr* c, position at);
+  std::string call(const clang::CallExpr* c, const clang::FunctionDecl* f, position at);
   std::string operator_call(const clang::CXXOperatorCallExpr* c, position at);
-  std::string arguments(const clang::FunctionDecl* f, const std::vector<const clang::Expr*>& args,
-                        const clang::Expr* object, const clang::Expr* whole_call, position at);
   std::string library_call(const clang::CallExpr* c, const clang::FunctionDecl* f);
 
   // storage.cpp

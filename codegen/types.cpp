@@ -36,22 +36,9 @@ std::optional<translator::array> translator::array_of(QualType t) {
   return result;
 }
 
-/// What is converted. Not IgnoreParenImpCasts(), which would see through a template's parameter to its value.
-const Expr* translator::without_conversions(const Expr* e) {
-  for (;;) {
-    if (const auto* outer = dyn_cast<FullExpr>(e)) {
-      e = outer->getSubExpr();
-    } else if (const auto* converted = dyn_cast<ImplicitCastExpr>(e)) {
-      e = converted->getSubExpr();
-    } else {
-      return e;
-    }
-  }
-}
-
 /// The size of an array: a size_t to C++, a plain number here.
 std::string translator::size_expression(const Expr* e) {
-  e = without_conversions(e);
+  e = e->IgnoreImplicit();  // not IgnoreParenImpCasts(), which sees through a template's parameter to its value
   const auto* number = dyn_cast<IntegerLiteral>(e);
   return number == nullptr ? glsl(e) : llvm::toString(number->getValue(), 10, false);
 }
