@@ -11,10 +11,10 @@ void problems::add(clang::SourceLocation where, const std::string& reason) {
   found_.emplace(place.isValid() ? place.getFilename() : "?", place.isValid() ? place.getLine() : 0, reason);
 }
 
-void problems::print() const {
-  for (const auto& [file, line, reason] : found_) {
+bool problems::report() const {
+  for (const auto& [file, line, reason] : found_)
     std::cerr << file << ":" << line << ": error: " << reason << "\n";
-  }
+  return !found_.empty();
 }
 
 void translator::check_recursion() {

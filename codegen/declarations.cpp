@@ -69,7 +69,7 @@ bool translator::begin(const NamedDecl* d) {
   locals_.clear();
   renamed_.clear();
   in_storage_ = arithmetic_ = false;
-  fresh_->where = unit_of_(file(where));
+  fresh_->where = headers_.unit_of(file(where));
   if (fresh_->where == nullptr) {
     reject(where, d->getQualifiedNameAsString() + " lies in a header that is not mirrored");
     return false;

@@ -133,10 +133,7 @@ std::string translator::reference(const DeclRefExpr* r) {
   }
   const auto* v = dyn_cast<VarDecl>(d);
   if (isa<BindingDecl>(d) || (v != nullptr && v->isStaticLocal())) return d->getNameAsString();  // told already
-  if (v == nullptr) {
-    return reject(
-        r, isa<FunctionDecl>(d) ? "function used as a value" : "`" + d->getNameAsString() + "` is not in the subset");
-  }
+  if (v == nullptr) return reject(r, "`" + d->getNameAsString() + "` is not in the subset");
   if (is_storage_type(v->getType())) {
     return reject(r, "storage can only be passed on whole, or called");
   }

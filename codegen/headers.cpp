@@ -3,7 +3,6 @@
 #include "headers.hpp"
 
 #include "names.hpp"
-#include "translator.hpp"
 
 #include <clang/Lex/HeaderSearch.h>
 #include <clang/Lex/PreprocessingRecord.h>

@@ -1,6 +1,5 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "headers.hpp"
 #include "translator.hpp"
 
 #include <clang/Tooling/Tooling.h>
@@ -61,7 +60,7 @@ void require_roots(const clang::DeclContext* scope, headers& all, translator& t)
 bool translate(clang::ASTUnit& ast, bool library, texts& files) {
   problems found(ast.getSourceManager());
   headers all(ast, library);
-  translator t(ast.getASTContext(), found, [&](clang::FileID file) { return all.unit_of(file); });
+  translator t(ast.getASTContext(), all, found);
   require_roots(ast.getASTContext().getTranslationUnitDecl(), all, t);
   t.finish();
   bool atomics = false;
@@ -74,9 +73,9 @@ bool translate(clang::ASTUnit& ast, bool library, texts& files) {
   if (atomics) files.emplace_back(memory_order_path, memory_order_text());
   if (wide_atomics) files.emplace_back(memory_order_64_path, memory_order_64_text());
   std::sort(files.begin(), files.end());
-  found.print();
-  if (files.empty() && found.none()) std::cerr << ast.getMainFileName().str() << ": error: nothing to translate\n";
-  return !files.empty() && found.none();
+  if (found.report()) return false;
+  if (files.empty()) std::cerr << ast.getMainFileName().str() << ": error: nothing to translate\n";
+  return !files.empty();
 }
 
 /// Writes all files, or none of them where one cannot be written.

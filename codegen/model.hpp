@@ -18,8 +18,7 @@ class problems {
  public:
   explicit problems(const clang::SourceManager& sources) : sources_(sources) {}
   void add(clang::SourceLocation where, const std::string& reason);
-  [[nodiscard]] bool none() const { return found_.empty(); }
-  void print() const;
+  [[nodiscard]] bool report() const;  ///< true if there are any
 
  private:
   const clang::SourceManager& sources_;

@@ -27,18 +27,16 @@ std::set<std::string> words(const char* text) {
 }
 
 /// GLSL 4.60 §3.6, keywords and words reserved for later, as far as C++ lets one use them as a name.
-const std::set<std::string>& reserved() {
+bool is_reserved(const std::string& name) {
   static const std::set<std::string> all = words(R"(
     uniform buffer in out inout attribute varying shared centroid flat smooth noperspective patch sample invariant
-    precise coherent restrict readonly writeonly subroutine layout discard highp mediump lowp precision demote
-    vec2 vec3 vec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 bvec2 bvec3 bvec4 dvec2 dvec3 dvec4 uint
-    mat2 mat3 mat4 mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3 mat4x4
-    dmat2 dmat3 dmat4 atomic_uint sampler samplerShadow sampler1D sampler2D sampler3D samplerCube sampler2DArray
-    sampler2DShadow samplerBuffer image1D image2D image3D imageCube image2DArray imageBuffer texture1D texture2D
-    texture3D textureCube textureBuffer subpassInput common partition active resource superp asm input output
-    hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 half fixed filter sizeof cast interface external noinline row_major
-    packed sampler2DRect sampler3DRect sampler2DMS image2DMS int64_t uint64_t float16_t float64_t main self)");
-  return all;
+    precise coherent restrict readonly writeonly subroutine layout discard highp mediump lowp precision demote uint
+    atomic_uint common partition active resource superp asm input output half fixed filter sizeof cast interface
+    external noinline row_major packed int64_t uint64_t float16_t float64_t main self)");
+  static const std::regex types(
+      "[biudhf]?vec[234]|d?mat[234](x[234])?|subpassInput|sampler(Shadow)?|"
+      "(sampler|image|texture)([123]D|2DRect|2DMS|Cube|Buffer)(Array)?(Shadow)?");
+  return all.count(name) != 0 || std::regex_match(name, types);
 }
 
 /// GLSL 4.60 §8: a local of such a name would hide the function from the calls that the translation makes.
@@ -99,7 +97,7 @@ std::string bad_name(const std::string& name, bool is_field) {
   if (name.find("__") != std::string::npos || name.rfind("gl_", 0) == 0) {
     return "the name `" + name + "` is reserved in GLSL";
   }
-  if (reserved().count(name) != 0) {
+  if (is_reserved(name)) {
     return "`" + name + "` is a keyword or a reserved word in GLSL";
   }
   if (!is_field && is_builtin(name)) {

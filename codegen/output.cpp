@@ -36,31 +36,6 @@ std::string guard(const std::string& header) {
   return upper(std::regex_replace(header, std::regex("\\.[^./]*$|[^A-Za-z0-9]"), "_")) + "GLSL";
 }
 
-/// With every include what it is to find its sizes at. A second size of one template is a problem.
-std::map<const unit*, std::map<std::string, std::string>> dependencies(const unit& u, problems& found) {
-  std::map<const unit*, std::map<std::string, std::string>> all;
-  for (const entity* e : u.entities) {
-    for (const auto& [needed, where] : e->needs) {
-      if (needed->where != nullptr && needed->where != &u) all[needed->where];
-    }
-  }
-  for (const entity* e : u.entities) {
-    for (const auto& [macro, value] : e->bindings) {
-      if (u.sizes.count(macro) != 0) {
-        found.add(e->location, "a second size of one template, " + macro + " = " + value + ": a file holds one");
-      }
-      for (auto& [on, bindings] : all) {
-        if (on->sizes.count(macro) == 0) continue;
-        const std::string& known = bindings.try_emplace(macro, value).first->second;
-        if (known != value) {
-          found.add(e->location, "two sizes of one template, " + macro + " = " + known + " and " + value);
-        }
-      }
-    }
-  }
-  return all;
-}
-
 std::string include_line(const unit& from, const std::string& path) {
   const bool beside = path.rfind("pelage/glsl/", 0) != 0;  // else the library's, seen from a user's header
   const std::filesystem::path folder = std::filesystem::path(from.path).parent_path();
@@ -69,13 +44,32 @@ std::string include_line(const unit& from, const std::string& path) {
 
 /// All that a file includes. Defines the sizes of each, and checks that no one else chose others.
 std::string includes_text(const unit& u, problems& found) {
-  std::map<std::string, std::string> by_header;
-  for (const auto& [on, bindings] : dependencies(u, found)) {
-    std::string& text = by_header[on->header];
+  std::map<std::string, const unit*> others;
+  std::set<std::tuple<std::string, std::string, clang::SourceLocation>> all;  // macros, values, whose
+  for (const entity* e : u.entities) {
+    for (const auto& [needed, where] : e->needs) {
+      if (needed->where != nullptr && needed->where != &u) others[needed->where->header] = needed->where;
+    }
+    for (const auto& [macro, value] : e->bindings) {
+      all.emplace(macro, value, e->location);
+      if (u.sizes.count(macro) == 0) continue;
+      found.add(e->location, "a second size of one template, " + macro + " = " + value + ": a file holds one");
+    }
+  }
+  std::string text;
+  if (u.uses_atomics) text += include_line(u, memory_order_path);
+  if (u.uses_atomic_int64) text += include_line(u, memory_order_64_path);
+  for (const auto& [header, other] : others) {
+    std::map<std::string, std::string> bindings;
+    for (const auto& [macro, value, where] : all) {
+      if (other->sizes.count(macro) == 0) continue;
+      const std::string& known = bindings.try_emplace(macro, value).first->second;
+      if (known != value) found.add(where, "two sizes of one template, " + macro + " = " + known + " and " + value);
+    }
     for (const auto& [macro, value] : bindings) {
       text += filled("#ifdef PELAGE_PREFIX\n#undef {0}\n#endif\n#ifndef {0}\n#define {0} {1}\n#endif\n", macro, value);
     }
-    text += include_line(u, on->include.empty() ? on->path : on->include);
+    text += include_line(u, other->include.empty() ? other->path : other->include);
     for (const auto& [macro, value] : bindings) {
       text += filled(
           "#if {0} != {1}\n#error {2}: {0} is in use with another value, define PELAGE_PREFIX for a second "
@@ -83,11 +77,6 @@ std::string includes_text(const unit& u, problems& found) {
           macro, preprocessed(value), u.path);
     }
   }
-  std::string text;
-  if (u.uses_atomics) text += include_line(u, memory_order_path);
-  if (u.uses_atomic_int64) text += include_line(u, memory_order_64_path);
-  for (const auto& [header, one] : by_header)
-    text += one;
   return text.empty() ? text : "\n" + text;
 }
 
@@ -130,25 +119,17 @@ std::pair<std::string, std::string> prefix_names(const unit& u) {
   return {define + "#endif\n", undefine + "#endif\n"};
 }
 
-std::string extensions_text(const unit& u) {
-  std::string text;
-  if (u.uses_int64) {
-    text += filled(R"(
+constexpr const char* int64_check = R"(
 #if !defined(GL_EXT_shader_explicit_arithmetic_types_int64) && !defined(GL_ARB_gpu_shader_int64)
 #error {0} needs 64-bit integers: the extension GL_EXT_shader_explicit_arithmetic_types_int64
 #endif
-)",
-                   u.path);
-  }
-  if (u.uses_atomic_int64) {
-    text += filled(R"(#if !defined(GL_EXT_shader_atomic_int64) && !defined(GL_NV_shader_atomic_int64)
+)";
+
+constexpr const char* atomic_int64_check =
+    R"(#if !defined(GL_EXT_shader_atomic_int64) && !defined(GL_NV_shader_atomic_int64)
 #error {0} needs 64-bit atomics: the extension GL_EXT_shader_atomic_int64
 #endif
-)",
-                   u.path);
-  }
-  return text;
-}
+)";
 
 std::string cells_text(const unit& u) {
   std::string text;
@@ -219,11 +200,13 @@ std::string file_text(const unit& u, problems& found) {
   const bool mixed = sized && !llvm::all_of(u.entities, is_sized);
   const std::string once = guard(u.header);
   const auto [define, undefine] = sized ? prefix_names(u) : std::pair<std::string, std::string>();
-  return formatted(std::string(licence) + "// Generated by pelage-glsl from " + u.header + ": change that one.\n" +
-                   (sized ? sizes_text(u) : filled("#ifndef {0}\n#define {0}\n", once)) + extensions_text(u) +
-                   includes_text(u, found) + define + cells_text(u) + (u.doc.empty() ? "" : "\n" + u.doc) +
-                   code_text(u, mixed ? once + "_ONCE" : "") + (mixed ? "\n#define " + once + "_ONCE\n" : "") +
-                   undefine + "\n#endif\n");
+  std::string text = std::string(licence) + "// Generated by pelage-glsl from " + u.header + ": change that one.\n";
+  text += sized ? sizes_text(u) : filled("#ifndef {0}\n#define {0}\n", once);
+  if (u.uses_int64) text += filled(int64_check, u.path);
+  if (u.uses_atomic_int64) text += filled(atomic_int64_check, u.path);
+  text += includes_text(u, found) + define + cells_text(u) + (u.doc.empty() ? "" : "\n") + u.doc;
+  text += code_text(u, mixed ? once + "_ONCE" : "") + (mixed ? "\n#define " + once + "_ONCE\n" : "") + undefine;
+  return formatted(text + "\n#endif\n");
 }
 
 }  // namespace pelage::codegen

@@ -117,12 +117,12 @@ void translator::set_templates(const Decl* d) {
           const llvm::APSInt value = one.arguments[i].getAsIntegral();
           size_values_.emplace_back(macro_name(size), value);
           values += llvm::toString(value, 10) + " ";
-          if (unit* u = unit_of_(file(size.of->getLocation()))) {
+          if (unit* u = headers_.unit_of(file(size.of->getLocation()))) {
             u->sizes.try_emplace(macro_name(size), llvm::toString(value, 10));
           }
         } else if (one.arguments[i].getKind() == TemplateArgument::Type) {
           const specialization type = specialization_of(one.arguments[i].getAsType()->getAsCXXRecordDecl());
-          if (type.of != nullptr && unit_of_(file(type.of->getLocation())) != nullptr) note(type);
+          if (type.of != nullptr && headers_.unit_of(file(type.of->getLocation())) != nullptr) note(type);
         }
       }
     };

@@ -1,25 +1,18 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "model.hpp"
+#include "headers.hpp"
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/StmtCXX.h>
-
 #include <llvm/ADT/MapVector.h>
 #include <llvm/ADT/SetVector.h>
 #include <llvm/ADT/StringExtras.h>
 #include <llvm/ADT/StringSwitch.h>
-#include <functional>
-#include <map>
-#include <memory>
-#include <optional>
-#include <set>
 
-#include <string>
-#include <vector>
+#include <optional>
 
 namespace pelage::codegen {
 
@@ -50,11 +43,8 @@ inline constexpr const char* assignment_inside = "assignment inside an expressio
 /// template must come out alike, which proves that no size or type was lost on the way.
 class translator {
  public:
-  /// The unit for a header's file, or null for one that is not mirrored.
-  using unit_finder = std::function<unit*(clang::FileID)>;
-
-  translator(clang::ASTContext& context, problems& found, unit_finder units)
-      : context_(context), sources_(context.getSourceManager()), found_(found), unit_of_(std::move(units)) {}
+  translator(clang::ASTContext& context, headers& all, problems& found)
+      : context_(context), sources_(context.getSourceManager()), headers_(all), found_(found) {}
 
   /// Asks for a function, a record, an enumeration or a constant.
   void require(const clang::NamedDecl* d);
@@ -171,8 +161,8 @@ class translator {
 
   clang::ASTContext& context_;
   clang::SourceManager& sources_;
+  headers& headers_;
   problems& found_;
-  unit_finder unit_of_;
 
   llvm::MapVector<const clang::Decl*, std::unique_ptr<entity>> entities_;  ///< by the pattern's canonical declaration
   llvm::SetVector<const clang::NamedDecl*> required_;                      ///< instantiations
