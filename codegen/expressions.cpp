@@ -78,26 +78,22 @@ std::string translator::conversion(const CastExpr* c, position at) {
     return dropped->HasSideEffects(context_) ? glsl(dropped, at) : std::string();
   }
   if (isa<CStyleCastExpr>(c)) return reject(where, "C cast: use static_cast or T(x)");
-  if (isa<CXXReinterpretCastExpr>(c) || isa<CXXConstCastExpr>(c) || isa<CXXDynamicCastExpr>(c)) {
+  if (isa<CXXReinterpretCastExpr, CXXConstCastExpr, CXXDynamicCastExpr>(c)) {
     return reject(where, "reinterpret_cast, const_cast and dynamic_cast");
   }
-  if (const Expr* span = counted_span(c)) {
-    return type_of(cast<ExplicitCastExpr>(c)->getTypeAsWritten(), where).text() + "(" + cell_macro(span, "_SIZE", "") +
-           ")";
-  }
+  const auto* spelled = dyn_cast<ExplicitCastExpr>(c);
+  const QualType to = spelled == nullptr ? c->getType() : spelled->getTypeAsWritten();
+  if (const Expr* span = counted_span(c)) return type_of(to, where).text() + "(" + cell_macro(span, "_SIZE", "") + ")";
   const CastKind kind = c->getCastKind();
   if (llvm::is_contained(vanishing, kind)) return kept(c, glsl(from, at));
   if (!llvm::is_contained(numeric, kind)) {
     return reject(where, std::string("conversion ") + c->getCastKindName() + " is not in the subset");
   }
   if (kind == CK_FloatingCast) {
-    if (!context_.hasSameUnqualifiedType(c->getType(), context_.FloatTy)) {
-      return reject(where, "double: the mirror computes in float");
-    }
-    const Expr* inner = from->IgnoreParenImpCasts();
-    if (const auto* l = dyn_cast<FloatingLiteral>(inner)) return literal(l);
-    const std::string folded = constant(from);
-    return folded.empty() ? reject(where, "double: the mirror computes in float") : folded;
+    const auto* l = dyn_cast<FloatingLiteral>(from->IgnoreParenImpCasts());
+    const std::string value = l == nullptr ? constant(from) : literal(l);
+    const bool to_float = context_.hasSameUnqualifiedType(to, context_.FloatTy) && !value.empty();
+    return to_float ? value : reject(where, "double: the mirror computes in float");
   }
   const Expr* plain = from->IgnoreParens();
   if (const auto* l = dyn_cast<IntegerLiteral>(plain)) return literal(l, c->getType());
@@ -105,22 +101,18 @@ std::string translator::conversion(const CastExpr* c, position at) {
     const auto* l = dyn_cast<IntegerLiteral>(u->getSubExpr());
     if (l != nullptr && !c->getType()->isUnsignedIntegerType()) return "-" + literal(l, c->getType());
   }
-  const QualType to = c->getType();
   const QualType was = from->getType();
   if (context_.hasSameUnqualifiedType(to, was)) return kept(c, glsl(from, at));
   const bool widens = to->isIntegerType() && context_.getTypeSize(to) == 64 && context_.getTypeSize(was) < 64;
-  if (widens && isa<ImplicitCastExpr>(c) && !cast<ImplicitCastExpr>(c)->isPartOfExplicitCast()) {
+  if (widens && spelled == nullptr && !cast<ImplicitCastExpr>(c)->isPartOfExplicitCast()) {
     return reject(where, "widened to 64 bits where that is not declared: write static_cast<std::uint64_t>");
   }
-  // An enumeration is its number in GLSL: nothing to convert between the two, unless the widths differ.
-  QualType written = to;
-  if (const auto* x = dyn_cast<ExplicitCastExpr>(c)) written = x->getTypeAsWritten();
   const std::string text = glsl(from, at);
-  const std::string target = type_of(written, where).text();
-  const bool was_enum = was->isEnumeralType();
-  if (was_enum && target == scalar_type(was->castAs<EnumType>()->getDecl()->getIntegerType(), where))
-    return kept(c, text);
-  return target + "(" + text + ")";
+  const std::string target = type_of(to, where).text();
+  // An enumeration is its number in GLSL: nothing to convert between the two, unless the widths differ.
+  const auto* e = was->getAs<EnumType>();
+  const bool same = e != nullptr && target == scalar_type(e->getDecl()->getIntegerType(), where);
+  return same ? kept(c, text) : target + "(" + text + ")";
 }
 
 std::string translator::reference(const DeclRefExpr* r) {
@@ -134,13 +126,9 @@ std::string translator::reference(const DeclRefExpr* r) {
   const auto* v = dyn_cast<VarDecl>(d);
   if (isa<BindingDecl>(d) || (v != nullptr && v->isStaticLocal())) return d->getNameAsString();  // told already
   if (v == nullptr) return reject(r, "`" + d->getNameAsString() + "` is not in the subset");
-  if (is_storage_type(v->getType())) {
-    return reject(r, "storage can only be passed on whole, or called");
-  }
+  if (is_storage_type(v->getType())) return reject(r, "storage can only be passed on whole, or called");
   if (!v->hasGlobalStorage()) return v->getNameAsString();
-  if (!v->isConstexpr()) {
-    return reject(r, "global variable `" + v->getNameAsString() + "` that is not constexpr");
-  }
+  if (!v->isConstexpr()) return reject(r, "global variable `" + v->getNameAsString() + "` that is not constexpr");
   if (v->isInStdNamespace()) {
     if (v->getType()->isEnumeralType()) return "pelage_" + v->getNameAsString();  // std::memory_order_relaxed
     return constant(r);

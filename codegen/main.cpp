@@ -6,7 +6,6 @@
 #include <llvm/ADT/TypeSwitch.h>
 #include <llvm/Support/CommandLine.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -14,8 +13,6 @@
 namespace pelage::codegen {
 
 namespace {
-
-using texts = std::vector<std::pair<std::string, std::string>>;  ///< of files, by path
 
 /// What is translated even if no one calls it: in the headers that the instantiation file includes and in that file
 /// itself, all that is no template, and all that is explicitly instantiated.
@@ -63,16 +60,11 @@ bool translate(clang::ASTUnit& ast, bool library, texts& files) {
   translator t(ast.getASTContext(), all, found);
   require_roots(ast.getASTContext().getTranslationUnitDecl(), all, t);
   t.finish();
-  bool atomics = false;
-  bool wide_atomics = false;
   for (const unit* u : all.written()) {
-    files.emplace_back(u->path, file_text(*u, found));
-    atomics |= u->uses_atomics;
-    wide_atomics |= u->uses_atomic_int64;
+    files[u->path] = file_text(*u, found);
+    for (const std::string& path : u->memory_orders)
+      files[path] = memory_order_text(path);
   }
-  if (atomics) files.emplace_back(memory_order_path, memory_order_text());
-  if (wide_atomics) files.emplace_back(memory_order_64_path, memory_order_64_text());
-  std::sort(files.begin(), files.end());
   if (found.report()) return false;
   if (files.empty()) std::cerr << ast.getMainFileName().str() << ": error: nothing to translate\n";
   return !files.empty();
@@ -137,6 +129,6 @@ int main(int argc, char** argv) {
   const auto ast = clang::tooling::buildASTFromCodeWithArgs((*source)->getBuffer(), compiler, instantiate);
   texts files;
   if (ast == nullptr || ast->getDiagnostics().hasErrorOccurred() || !translate(*ast, library, files)) return 1;
-  if (library) files.emplace_back("../glsl.hpp", strings_header(files));
+  if (library) files["../glsl.hpp"] = strings_header(files);
   return write(out.getValue(), files) ? 0 : 1;
 }

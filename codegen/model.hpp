@@ -63,9 +63,8 @@ struct unit {
   std::map<std::string, std::string> sizes;       ///< macros through which a shader picks a template's size: defaults
   std::map<std::string, std::string> conditions;  ///< static_asserts over them: condition, message
   std::map<std::string, cell> cells;
-  bool uses_atomics = false;
+  std::set<std::string> memory_orders;  ///< of the files below
   bool uses_int64 = false;
-  bool uses_atomic_int64 = false;
 };
 
 /// How every file begins.
@@ -74,13 +73,15 @@ inline constexpr const char* licence = "// Copyright (c) 2026 The Pelage authors
 /// The whole text of one .glsl, formatted.
 [[nodiscard]] std::string file_text(const unit& u, problems& found);
 
-/// What files with atomics include: the texts, and their paths below the output folder.
-[[nodiscard]] std::string memory_order_text();
-[[nodiscard]] std::string memory_order_64_text();
+/// What files with atomics include, of 32 and of 64 bits: their paths below the output folder, and their texts.
 inline constexpr const char* memory_order_path = "core/memory_order.glsl";
 inline constexpr const char* memory_order_64_path = "core/memory_order_64.glsl";
+[[nodiscard]] std::string memory_order_text(const std::string& path);
 
-/// The header that holds every file's text, includes resolved: path and text of each, dependencies first.
-[[nodiscard]] std::string strings_header(const std::vector<std::pair<std::string, std::string>>& files);
+/// Files' texts by their paths.
+using texts = std::map<std::string, std::string>;
+
+/// The header that holds every file's text, includes resolved.
+[[nodiscard]] std::string strings_header(const texts& files);
 
 }  // namespace pelage::codegen

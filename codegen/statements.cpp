@@ -101,9 +101,7 @@ std::string translator::range_loop(const CXXForRangeStmt* s) {
   if (const auto* m = dyn_cast<MemberExpr>(range)) range_type = m->getMemberDecl()->getType();
   if (const auto* r = dyn_cast<DeclRefExpr>(range)) range_type = r->getDecl()->getType();
   const std::optional<array> items = array_of(range_type.getNonReferenceType().getUnqualifiedType());
-  if (!items) {
-    return reject(range, "range-for over something other than a std::array");
-  }
+  if (!items) return reject(range, "range-for over something other than a std::array");
   const std::string name = local_name(v);
   const std::string index = "pelage_" + name + "_index";
   const std::string item = glsl(range) + "[" + index + "]";

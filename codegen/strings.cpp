@@ -52,7 +52,7 @@ std::string identifier(const std::string& path) {
 
 /// Each file is cut into the pieces between its includes, and joined of those and of what is included, once each: what
 /// a file includes twice its guards would drop.
-std::string strings_header(const std::vector<std::pair<std::string, std::string>>& files) {
+std::string strings_header(const texts& files) {
   const std::regex include("#include \"([^\"]*)\"\n");
   std::string pieces;
   std::map<std::string, std::vector<std::string>> parts;  // a piece's name, an included file's path, and so on in turn

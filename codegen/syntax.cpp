@@ -12,7 +12,7 @@ using namespace clang;
 
 namespace {
 
-constexpr std::pair<Stmt::StmtClass, const char*> no_form[] = {
+const std::map<Stmt::StmtClass, const char*> no_form = {
     {Stmt::ArraySubscriptExprClass, "C array: use std::array"},
     {Stmt::CXXDeleteExprClass, "allocation"},
     {Stmt::CXXNewExprClass, "allocation"},
@@ -80,10 +80,9 @@ std::string translator::glsl(const Stmt* s, position at) {
 }
 
 std::string translator::outside(const Stmt* s) {
-  for (const auto& [kind, reason] : no_form) {
-    if (s->getStmtClass() == kind) return reject(s, reason);
-  }
-  return reject(s, std::string(s->getStmtClassName()) + " is not in the subset");
+  const auto known = no_form.find(s->getStmtClass());
+  return reject(s,
+                known == no_form.end() ? std::string(s->getStmtClassName()) + " is not in the subset" : known->second);
 }
 
 std::string translator::reject(const Stmt* s, const std::string& reason) {
