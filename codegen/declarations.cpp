@@ -86,7 +86,7 @@ bool translator::begin(const NamedDecl* d) {
   if (d->getDeclContext()->isTranslationUnit() || fresh_->name.find("__") != std::string::npos) {
     check_name(fresh_->name, false, d->getLocation());
   }
-  fresh_->doc = doc_above(whole(pattern));
+  fresh_->doc = doc_of(whole(pattern), false);
   fresh_->declared_at = {offset(where), 1u};
   fresh_->defined_at = offset(where);
   if (d->getDeclContext()->isRecord() && (isa<VarDecl>(d) || isa<EnumDecl>(d))) {
@@ -202,8 +202,8 @@ void translator::translate_record(const CXXRecordDecl* r) {
                                   {f->getType()->isReferenceType(), "reference as a member"},
                                   {f->hasInClassInitializer(), "member with a default value"}});
     check_name(f->getNameAsString(), true, f->getLocation());
-    text += doc_above(f) + type_of(f->getType(), f->getLocation()).declare(f->getNameAsString()) + ";  " +
-            doc_beside(f) + "\n";
+    text += doc_of(f, false) + type_of(f->getType(), f->getLocation()).declare(f->getNameAsString()) + ";  " +
+            doc_of(f, true) + "\n";
   }
   fresh_->declaration = text + "};";
   for (const Decl* d : r->decls()) {
@@ -218,7 +218,7 @@ void translator::translate_enum(const EnumDecl* e) {
   const std::string type = scalar_type(e->getIntegerType(), e->getLocation());
   for (const EnumConstantDecl* c : e->enumerators()) {
     fresh_->declaration += filled("const {0} {1}_{2} = {3}{4};  {5}\n", type, fresh_->name, c->getName(),
-                                  llvm::toString(c->getInitVal(), 10), type == "uint" ? "u" : "", doc_beside(c));
+                                  llvm::toString(c->getInitVal(), 10), type == "uint" ? "u" : "", doc_of(c, true));
   }
   end(e);
 }
@@ -232,7 +232,7 @@ void translator::translate_constant(const VarDecl* v) {
     return;
   }
   const std::string declared = type_of(v->getType(), v->getLocation()).declare(fresh_->name);
-  fresh_->declaration = "const " + declared + " = " + glsl(init) + ";  " + doc_beside(pattern_of(v));
+  fresh_->declaration = "const " + declared + " = " + glsl(init) + ";  " + doc_of(pattern_of(v), true);
   end(v);
 }
 

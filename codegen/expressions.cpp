@@ -51,9 +51,7 @@ std::string translator::unary(const UnaryOperator* x, position at) {
 
 std::string translator::binary(const BinaryOperator* x, position at) {
   const BinaryOperatorKind op = x->getOpcode();
-  if (x->isAssignmentOp() && at != position::statement) {
-    return reject(x->getOperatorLoc(), assignment_inside);
-  }
+  if (x->isAssignmentOp() && at != position::statement) return reject(x->getOperatorLoc(), assignment_inside);
   if (op == BO_Comma) return reject(x->getOperatorLoc(), "comma operator");
   if (op == BO_Cmp) return reject(x->getOperatorLoc(), "operator <=>");
   if (x->isPtrMemOp()) return reject(x->getOperatorLoc(), "pointer to member");

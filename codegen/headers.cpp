@@ -1,7 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "headers.hpp"
-
+#include "model.hpp"
 #include "names.hpp"
 
 #include <clang/Lex/HeaderSearch.h>
@@ -67,7 +66,7 @@ void headers::note_doc(const NamespaceDecl* space) {
   std::cmatch first;
   std::regex_search(sources_.getCharacterData(space->getBeginLoc()), first, at_the_beginning,
                     std::regex_constants::match_continuous);
-  for (const std::string& doc : {doc_above(space), first.str(1)}) {
+  for (const std::string& doc : {doc_of(space, false), first.str(1)}) {
     if (u->doc.find(doc) == std::string::npos) u->doc += (u->doc.empty() ? "" : "\n") + doc;
   }
 }

@@ -18,38 +18,33 @@ namespace {
 /// itself, all that is no template, and all that is explicitly instantiated.
 void require_roots(const clang::DeclContext* scope, headers& all, translator& t) {
   using namespace clang;
-  const auto with_members = [&](const CXXRecordDecl* r) {
-    t.require(r);
-    require_roots(r, all, t);
-  };
-  const auto is_explicit = [](const auto* d) {
-    return d->getTemplateSpecializationKind() == TSK_ExplicitInstantiationDefinition;
+  const auto require = [&](const NamedDecl* d) {
+    t.require(d);
+    if (const auto* r = dyn_cast<CXXRecordDecl>(d)) require_roots(r, all, t);
   };
   for (const Decl* d : scope->decls()) {
     if (const auto* space = dyn_cast<NamespaceDecl>(d)) all.note_doc(space);
     if (isa<NamespaceDecl, LinkageSpecDecl>(d)) require_roots(cast<DeclContext>(d), all, t);
     if (d->isImplicit() || !all.is_named(d)) continue;
     llvm::TypeSwitch<const Decl*>(d)
-        .Case<FunctionTemplateDecl>([&](const auto* functions) {
-          llvm::for_each(llvm::make_filter_range(functions->specializations(), is_explicit),
-                         [&](const auto* f) { t.require(f); });
-        })
-        .Case<ClassTemplateDecl>([&](const auto* classes) {
-          llvm::for_each(llvm::make_filter_range(classes->specializations(), is_explicit), with_members);
+        .Case<FunctionTemplateDecl, ClassTemplateDecl>([&](const auto* pattern) {
+          for (const auto* s : pattern->specializations()) {
+            if (s->getTemplateSpecializationKind() == TSK_ExplicitInstantiationDefinition) require(s);
+          }
         })
         .Case<ClassTemplateSpecializationDecl, VarTemplateSpecializationDecl>([](const auto*) {})
         .Case<CXXRecordDecl>([&](const auto* r) {
-          if (r->isThisDeclarationADefinition() && !translator::is_storage(r)) with_members(r);
+          if (r->isThisDeclarationADefinition() && !translator::is_storage(r)) require(r);
         })
         .Case<FunctionDecl>([&](const auto* f) {
           const bool special = f->isDefaulted() || f->isDeleted() || isa<CXXConstructorDecl>(f);
           const bool defined = scope->isRecord() ? f->isDefined() : f->doesThisDeclarationHaveABody();
-          if (f->getDeclContext() == scope && defined && !special) t.require(f);
+          if (f->getDeclContext() == scope && defined && !special) require(f);
         })
         .Case<VarDecl>([&](const auto* v) {
-          if (v->isConstexpr() && v->getDescribedVarTemplate() == nullptr) t.require(v);
+          if (v->isConstexpr() && v->getDescribedVarTemplate() == nullptr) require(v);
         })
-        .Case<EnumDecl>([&](const auto* e) { t.require(e); });
+        .Case<EnumDecl>([&](const auto* e) { require(e); });
   }
 }
 
@@ -104,23 +99,15 @@ int main(int argc, char** argv) {
   const cl::opt<bool> library("library", cl::desc("write the library's own mirror"), cl::cat(ours));
   const cl::list<std::string> folders("I", cl::Prefix, cl::desc("where headers lie"), cl::value_desc("FOLDER"),
                                       cl::cat(ours));
-  const cl::list<std::string> macros("D", cl::Prefix, cl::desc("a macro"), cl::value_desc("NAME"), cl::cat(ours));
   cl::HideUnrelatedOptions(ours);
   cl::ParseCommandLineOptions(argc, argv, "The GLSL of what FILE.cpp instantiates: one .glsl for each header.\n");
 
-  std::vector<std::string> compiler = {"-std=c++20",
-                                       "-fsyntax-only",
-                                       "-w",
-                                       "-DNDEBUG",
-                                       "-DPELAGE_ASSERT(condition)=static_assert(true)",
-                                       "-resource-dir",
-                                       PELAGE_CLANG_RESOURCE_DIR,
-                                       "-Xclang",
-                                       "-detailed-preprocessing-record"};
+  std::vector<std::string> compiler = {"-std=c++20", "-w", "-DNDEBUG",
+                                       "-DPELAGE_ASSERT(condition)=static_assert(true)"};
+  compiler.insert(compiler.end(),
+                  {"-resource-dir", PELAGE_CLANG_RESOURCE_DIR, "-Xclang", "-detailed-preprocessing-record"});
   for (const std::string& folder : folders)
     compiler.push_back("-I" + folder);
-  for (const std::string& macro : macros)
-    compiler.push_back("-D" + macro);
   const auto source = llvm::MemoryBuffer::getFile(instantiate);
   if (!source) {
     std::cerr << "pelage-glsl: " << instantiate << ": cannot be read\n";

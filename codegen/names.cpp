@@ -97,31 +97,17 @@ std::string bad_name(const std::string& name, bool is_field) {
   if (name.find("__") != std::string::npos || name.rfind("gl_", 0) == 0) {
     return "the name `" + name + "` is reserved in GLSL";
   }
-  if (is_reserved(name)) {
-    return "`" + name + "` is a keyword or a reserved word in GLSL";
-  }
-  if (!is_field && is_builtin(name)) {
-    return "`" + name + "` is a built-in function in GLSL";
-  }
+  if (is_reserved(name)) return "`" + name + "` is a keyword or a reserved word in GLSL";
+  if (!is_field && is_builtin(name)) return "`" + name + "` is a built-in function in GLSL";
   return {};
 }
 
-/// The lines of a declaration's documentation.
-static std::string doc_of(const clang::Decl* d) {
+std::string doc_of(const clang::Decl* d, bool beside) {
   const clang::ASTContext& context = d->getASTContext();
-  const clang::RawComment* doc = context.getRawCommentForDeclNoCache(d);
-  if (doc == nullptr) return {};
-  return std::regex_replace(doc->getRawText(context.getSourceManager()).str(), std::regex("\\s*\n\\s*"), "\n");
-}
-
-std::string doc_above(const clang::Decl* d) {
-  const std::string doc = doc_of(d);
-  return doc.empty() || doc.rfind("///<", 0) == 0 ? "" : doc + "\n";
-}
-
-std::string doc_beside(const clang::Decl* d) {
-  const std::string doc = doc_of(d);
-  return doc.rfind("///<", 0) == 0 ? doc : "";
+  const clang::RawComment* comment = context.getRawCommentForDeclNoCache(d);
+  if (comment == nullptr || comment->isTrailingComment() != beside) return {};
+  const std::string text = comment->getRawText(context.getSourceManager()).str();
+  return std::regex_replace(text, std::regex("\\s*\n\\s*"), "\n") + (beside ? "" : "\n");
 }
 
 bool is_builtin(const std::string& name) {

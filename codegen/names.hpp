@@ -30,9 +30,8 @@ template <class... Parts>
 /// Why a name cannot stand in GLSL, or nothing. Fields may bear the names of built-in functions, others not.
 [[nodiscard]] std::string bad_name(const std::string& name, bool is_field);
 
-/// The lines of a declaration's documentation, /// above it or ///< beside it.
-[[nodiscard]] std::string doc_above(const clang::Decl* d);
-[[nodiscard]] std::string doc_beside(const clang::Decl* d);
+/// The lines of a declaration's documentation, ///< beside it or /// above it.
+[[nodiscard]] std::string doc_of(const clang::Decl* d, bool beside);
 
 /// True for the names of GLSL's own functions.
 [[nodiscard]] bool is_builtin(const std::string& name);

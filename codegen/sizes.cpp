@@ -128,8 +128,8 @@ void translator::set_templates(const Decl* d) {
     };
     note(s);
     if (values.empty()) continue;
-    const auto seen = sizes_seen_.try_emplace(s.of->getQualifiedNameAsString(), seen_sizes{level->getLocation(), {}});
-    seen.first->second.values.insert(values);
+    seen_sizes& seen = sizes_seen_[s.of->getQualifiedNameAsString()];
+    if (seen.values.insert(values).second && seen.values.size() == 1) seen.first = level->getLocation();
   }
 }
 

@@ -84,9 +84,7 @@ std::string translator::compound(const CompoundStmt* s) {
 
 std::string translator::if_statement(const IfStmt* s) {
   if (!s->isConstexpr()) return control(s, "if", s->hasInitStorage() || s->hasVarStorage());
-  if (has_size(s->getCond())) {
-    return reject(s, "`if constexpr` over a size: the size is lost, use a plain `if`");
-  }
+  if (has_size(s->getCond())) return reject(s, "`if constexpr` over a size: the size is lost, use a plain `if`");
   bool taken = false;
   (void)s->getCond()->EvaluateAsBooleanCondition(taken, context_);
   const Stmt* branch = taken ? s->getThen() : s->getElse();

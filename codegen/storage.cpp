@@ -16,7 +16,7 @@ std::string translator::cell_macro(const Expr* e, const std::string& suffix, con
     return reject(e, "spans and pointers can only be members of storage, reached by its functions");
   }
   const std::string name = upper(global_name(f)) + suffix;
-  fresh_->where->cells[name] = {name + parameter, suffix.empty() ? doc_beside(f) : "///< how many of them"};
+  fresh_->where->cells[name] = {name + parameter, suffix.empty() ? doc_of(f, true) : "///< how many of them"};
   return name;
 }
 
@@ -46,9 +46,7 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
     return order == "pelage_memory_order_relaxed" ? value : filled("{0}({1}, {2})", fence, value, order);
   };
   if (name == "load") return fenced("pelage_acquire", wide ? "PELAGE_LOAD_64(" + target + ")" : target, arg(0));
-  if (at == position::part) {
-    return reject(c, effect_inside);
-  }
+  if (at == position::part) return reject(c, effect_inside);
   if (name == "store") return filled("atomicExchange({0}, {1})", target, fenced("pelage_release", arg(0), arg(1)));
   if (name == "compare_exchange_strong") {
     // It leaves in `expected` what it found, taken or not: the same as assigning the result.
