@@ -157,10 +157,7 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
   const std::string name = f->getQualifiedNameAsString();
   std::string bare = name.substr(name.rfind(':') + 1);
   if (const auto other = other_names.find(bare); other != other_names.end()) bare = other->second;
-  if (c->getNumArgs() == 0) {
-    const std::string value = constant(c);
-    if (!value.empty()) return value;
-  }
+  if (const std::string value = c->getNumArgs() == 0 ? constant(c) : ""; !value.empty()) return value;
   if (bare == "round") return reject(where, "round: GLSL leaves halves open");
   const std::string type = has_float(c->getType()) ? type_of(c->getType(), where).text() : std::string();
   const bool vector = type.rfind("vec", 0) == 0;

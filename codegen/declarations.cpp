@@ -179,8 +179,7 @@ std::string translator::parameters(const FunctionDecl* f) {
     }
     if (p->getType()->isRValueReferenceType()) reject(p->getLocation(), "rvalue reference");
     const glsl_type type = type_of(p->getType(), p->getLocation());
-    const std::string name = p->getNameAsString().empty() ? std::string() : local_name(p);
-    const std::string declared = name.empty() ? type.text() : type.declare(name);
+    const std::string declared = p->getName().empty() ? type.text() : type.declare(local_name(p));
     list += (list.empty() ? "" : ", ") + std::string(writes_to(p->getType()) ? "inout " : "") + declared;
     fresh_->signature += type.text() + ",";
   }

@@ -7,8 +7,7 @@
 
 #include <llvm/ADT/StringSwitch.h>
 
-#include <algorithm>
-#include <cctype>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -20,10 +19,7 @@ namespace {
 
 std::set<std::string> words(const char* text) {
   std::istringstream in(text);
-  std::set<std::string> all;
-  for (std::string word; in >> word;)
-    all.insert(word);
-  return all;
+  return {std::istream_iterator<std::string>(in), {}};
 }
 
 /// GLSL 4.60 §3.6, keywords and words reserved for later, as far as C++ lets one use them as a name.
@@ -58,11 +54,6 @@ const std::set<std::string>& functions() {
 }
 
 }  // namespace
-
-std::string upper(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-  return name;
-}
 
 std::string preprocessed(const std::string& expression) {
   return std::regex_replace(expression, std::regex("([0-9])u"), "$1");

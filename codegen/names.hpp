@@ -15,9 +15,6 @@ namespace pelage::codegen {
 /// What an operator that is a function is called: `multiply` for operator*(a, b); nothing for those without a name.
 [[nodiscard]] std::string operator_name(const clang::NamedDecl* d);
 
-/// PELAGE_K_BUFFER_K for the parameter K of pelage::k_buffer.
-[[nodiscard]] std::string upper(std::string name);
-
 /// A text with {0}, {1} and so on in it, filled.
 template <class... Parts>
 [[nodiscard]] std::string filled(const char* format, Parts&&... parts) {

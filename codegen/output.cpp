@@ -29,7 +29,7 @@ std::string formatted(const std::string& code) {
 
 /// The macro that tells that a file has been included.
 std::string guard(const std::string& header) {
-  return upper(std::regex_replace(header, std::regex("\\.[^./]*$|[^A-Za-z0-9]"), "_")) + "GLSL";
+  return llvm::StringRef(std::regex_replace(header, std::regex("\\.[^./]*$|[^A-Za-z0-9]"), "_")).upper() + "GLSL";
 }
 
 std::string include_line(const unit& from, const std::string& path) {

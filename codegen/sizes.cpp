@@ -74,7 +74,7 @@ std::string macro_name(const parameter& size) {
       }
     }
   }
-  return upper(global_name(bearer) + "_" + name.str());
+  return llvm::StringRef(global_name(bearer) + "_" + name.str()).upper();
 }
 
 std::string macro_name(const TemplateDecl* t, unsigned index) {

@@ -158,10 +158,9 @@ std::string translator::variable(const VarDecl* v) {
   const glsl_type type = type_of(v->getType(), v->getLocation());
   const std::string declared = type.declare(local_name(v));
   const Expr* init = v->getInit();
-  if (const auto* made = dyn_cast_or_null<CXXConstructExpr>(init)) {
-    if (made->getNumArgs() == 0 && !made->requiresZeroInitialization()) init = nullptr;
-  }
-  if (init == nullptr) return declared;
+  const auto* made = dyn_cast_or_null<CXXConstructExpr>(init);
+  const bool bare = made != nullptr && made->getNumArgs() == 0 && !made->requiresZeroInitialization();
+  if (init == nullptr || bare) return declared;
   const bool constant = v->getType().isConstQualified() || refers;
   return (constant ? "const " : "") + declared + " = " + glsl(init, position::whole);
 }

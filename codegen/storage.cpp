@@ -15,7 +15,7 @@ std::string translator::cell_macro(const Expr* e, const std::string& suffix, con
   if (f == nullptr || !in_storage_) {
     return reject(e, "spans and pointers can only be members of storage, reached by its functions");
   }
-  const std::string name = upper(global_name(f)) + suffix;
+  const std::string name = llvm::StringRef(global_name(f)).upper() + suffix;
   fresh_->where->cells[name] = {name + parameter, suffix.empty() ? doc_of(f, true) : "///< how many of them"};
   return name;
 }
