@@ -159,7 +159,7 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
   if (const auto other = other_names.find(bare); other != other_names.end()) bare = other->second;
   if (const std::string value = c->getNumArgs() == 0 ? constant(c) : ""; !value.empty()) return value;
   if (bare == "round") return reject(where, "round: GLSL leaves halves open");
-  const std::string type = has_float(c->getType()) ? type_of(c->getType(), where).text() : std::string();
+  const std::string type = has_float(c->getType()) ? type_of(c->getType(), where) : std::string();
   const bool vector = type.rfind("vec", 0) == 0;
   const auto* known = llvm::find_if(forms, [&](const form& one) {
     return bare == one.function && (one.of != result_kind::scalar || type == "float") &&
@@ -171,15 +171,15 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
     arguments.push_back(spread ? type + "(" + glsl(a) + ")" : glsl(a));
   }
   if (name == "std::bit_cast") {
-    const std::string from = type_of(c->getArg(0)->getType(), where).text();
-    const std::string to = type_of(c->getType(), where).text();
+    const std::string from = type_of(c->getArg(0)->getType(), where);
+    const std::string to = type_of(c->getType(), where);
     const auto found = bit_casts.find(from + " " + to);
     if (found == bit_casts.end()) return reject(where, "std::bit_cast from " + from + " to " + to);
     return found->second + "(" + arguments[0] + ")";
   }
   if (name == "std::swap") {
-    return filled("{{\nconst {0} = {1};\n{1} = {2};\n{2} = pelage_first;\n}",
-                  type_of(c->getArg(0)->getType(), where).declare("pelage_first"), arguments[0], arguments[1]);
+    return filled("{{\n{0} pelage_first = {1};\n{1} = {2};\n{2} = pelage_first;\n}",
+                  "const " + type_of(c->getArg(0)->getType(), where), arguments[0], arguments[1]);
   }
   if (known == std::end(forms)) {
     const bool writes = llvm::any_of(f->parameters(), [](const ParmVarDecl* p) { return writes_to(p->getType()); });
@@ -195,7 +195,7 @@ std::string translator::library_call(const CallExpr* c, const FunctionDecl* f) {
                                   grouped(arguments[1]), grouped(arguments[2]));
   // A count of bits is an int in GLSL, and in C++ whatever the library says.
   const bool count = known->of == result_kind::bits && !context_.hasSameUnqualifiedType(c->getType(), context_.IntTy);
-  return count ? type_of(c->getType(), where).text() + text : text;
+  return count ? type_of(c->getType(), where) + text : text;
 }
 
 }  // namespace pelage::codegen

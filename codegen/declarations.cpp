@@ -152,7 +152,7 @@ void translator::translate_function(const FunctionDecl* f) {
               {f->isVariadic(), "variadic function"},
               {method != nullptr && method->isVirtual(), "virtual function"},
               {f->isOverloadedOperator() && operator_name(f).empty(), "operator overload: call a function instead"}});
-  const std::string result = type_of(f->getReturnType(), where).text();
+  const std::string result = type_of(f->getReturnType(), where);
   std::string list = parameters(definition);
   fresh_->body = glsl(definition->getBody(), position::statement);
   // No fused multiply-add may come between the two: `precise` covers all that leads to a result.
@@ -167,7 +167,7 @@ std::string translator::parameters(const FunctionDecl* f) {
   const auto* method = dyn_cast<CXXMethodDecl>(f);
   fresh_->signature = fresh_->name + "(";
   if (method != nullptr && !method->isStatic() && !in_storage_) {
-    const std::string type = type_of(context_.getRecordType(method->getParent()), f->getLocation()).text();
+    const std::string type = type_of(context_.getRecordType(method->getParent()), f->getLocation());
     list = (method->isConst() ? "" : "inout ") + type + " self";
     fresh_->signature += type + ",";
     locals_.insert("self");
@@ -178,10 +178,10 @@ std::string translator::parameters(const FunctionDecl* f) {
       continue;
     }
     if (p->getType()->isRValueReferenceType()) reject(p->getLocation(), "rvalue reference");
-    const glsl_type type = type_of(p->getType(), p->getLocation());
-    const std::string declared = p->getName().empty() ? type.text() : type.declare(local_name(p));
-    list += (list.empty() ? "" : ", ") + std::string(writes_to(p->getType()) ? "inout " : "") + declared;
-    fresh_->signature += type.text() + ",";
+    const std::string type = type_of(p->getType(), p->getLocation());
+    const std::string one = p->getName().empty() ? type : declared(p, local_name(p));
+    list += (list.empty() ? "" : ", ") + std::string(writes_to(p->getType()) ? "inout " : "") + one;
+    fresh_->signature += type + ",";
   }
   return list;
 }
@@ -201,8 +201,7 @@ void translator::translate_record(const CXXRecordDecl* r) {
                                   {f->getType()->isReferenceType(), "reference as a member"},
                                   {f->hasInClassInitializer(), "member with a default value"}});
     check_name(f->getNameAsString(), true, f->getLocation());
-    text += doc_of(f, false) + type_of(f->getType(), f->getLocation()).declare(f->getNameAsString()) + ";  " +
-            doc_of(f, true) + "\n";
+    text += doc_of(f, false) + declared(f, f->getNameAsString()) + ";  " + doc_of(f, true) + "\n";
   }
   fresh_->declaration = text + "};";
   for (const Decl* d : r->decls()) {
@@ -230,8 +229,7 @@ void translator::translate_constant(const VarDecl* v) {
     reject(v->getLocation(), "constant without a value");
     return;
   }
-  const std::string declared = type_of(v->getType(), v->getLocation()).declare(fresh_->name);
-  fresh_->declaration = "const " + declared + " = " + glsl(init) + ";  " + doc_of(pattern_of(v), true);
+  fresh_->declaration = "const " + declared(v, fresh_->name) + " = " + glsl(init) + ";  " + doc_of(pattern_of(v), true);
   end(v);
 }
 

@@ -3,8 +3,6 @@
 #include "names.hpp"
 #include "translator.hpp"
 
-#include <algorithm>
-
 namespace pelage::codegen {
 
 using namespace clang;
@@ -81,7 +79,7 @@ std::string translator::conversion(const CastExpr* c, position at) {
   }
   const auto* spelled = dyn_cast<ExplicitCastExpr>(c);
   const QualType to = spelled == nullptr ? c->getType() : spelled->getTypeAsWritten();
-  if (const Expr* span = counted_span(c)) return type_of(to, where).text() + "(" + cell_macro(span, "_SIZE", "") + ")";
+  if (const Expr* span = counted_span(c)) return type_of(to, where) + "(" + cell_macro(span, "_SIZE", "") + ")";
   const CastKind kind = c->getCastKind();
   if (llvm::is_contained(vanishing, kind)) return kept(c, glsl(from, at));
   if (!llvm::is_contained(numeric, kind)) {
@@ -106,7 +104,7 @@ std::string translator::conversion(const CastExpr* c, position at) {
     return reject(where, "widened to 64 bits where that is not declared: write static_cast<std::uint64_t>");
   }
   const std::string text = glsl(from, at);
-  const std::string target = type_of(to, where).text();
+  const std::string target = type_of(to, where);
   // An enumeration is its number in GLSL: nothing to convert between the two, unless the widths differ.
   const auto* e = was->getAs<EnumType>();
   const bool same = e != nullptr && target == scalar_type(e->getDecl()->getIntegerType(), where);

@@ -8,8 +8,6 @@
 #include <llvm/ADT/StringSwitch.h>
 
 #include <iterator>
-#include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 

@@ -21,6 +21,14 @@ bool is_below(const Stmt* part, const Stmt* of) {
       .Default([](const Stmt* x) { return isa<CompoundStmt>(x); });
 }
 
+/// a of a.b[i].c.
+const Expr* root_of(const Expr* e) {
+  e = e->IgnoreParenImpCasts();
+  if (const auto* m = dyn_cast<MemberExpr>(e)) return root_of(m->getBase());
+  const auto* c = dyn_cast<CXXOperatorCallExpr>(e);
+  return c != nullptr && c->getOperator() == OO_Subscript ? root_of(c->getArg(0)) : e;
+}
+
 std::string braced(const std::string& text) {
   return text.rfind('{', 0) == 0 ? text : "{\n" + text + "\n}";
 }
@@ -108,7 +116,7 @@ std::string translator::range_loop(const CXXForRangeStmt* s) {
     renamed_[v] = item;
   } else {
     const bool constant = v->getType().isConstQualified();
-    first = (constant ? "\nconst " : "\n") + type_of(v->getType(), v->getLocation()).declare(name) + " = " + item + ";";
+    first = (constant ? "\nconst " : "\n") + declared(v, name) + " = " + item + ";";
   }
   return "for (int " + index + " = 0; " + index + " < " + items->extent + "; ++" + index + ") {" + first +
          braced(statement(s->getBody())).substr(1);
@@ -132,19 +140,9 @@ std::string translator::variables(const DeclStmt* s) {
 /// const T& to a part of what no one can write to meanwhile: as good as a copy.
 bool translator::names_constant(const VarDecl* v) {
   if (!v->getType().getNonReferenceType().isConstQualified() || v->getInit() == nullptr) return false;
-  const Expr* e = v->getInit();
-  for (;;) {
-    e = e->IgnoreParenImpCasts();
-    if (const auto* m = dyn_cast<MemberExpr>(e)) {
-      e = m->getBase();
-    } else if (const auto* c = dyn_cast<CXXOperatorCallExpr>(e); c != nullptr && c->getOperator() == OO_Subscript) {
-      e = c->getArg(0);
-    } else {
-      break;
-    }
-  }
-  if (const auto* self = dyn_cast<CXXThisExpr>(e)) return self->getType()->getPointeeType().isConstQualified();
-  const auto* r = dyn_cast<DeclRefExpr>(e);
+  const Expr* root = root_of(v->getInit());
+  if (isa<CXXThisExpr>(root)) return root->getType()->getPointeeType().isConstQualified();
+  const auto* r = dyn_cast<DeclRefExpr>(root);
   return r != nullptr && r->getDecl()->getType().getNonReferenceType().isConstQualified();
 }
 
@@ -155,14 +153,13 @@ std::string translator::variable(const VarDecl* v) {
   }
   const bool lasting = (v->isStaticLocal() && !v->isConstexpr()) || v->getTSCSpec() != TSCS_unspecified;
   reject_any(v->getLocation(), {{lasting, "static local variable"}, {v->getType().isVolatileQualified(), "volatile"}});
-  const glsl_type type = type_of(v->getType(), v->getLocation());
-  const std::string declared = type.declare(local_name(v));
+  const std::string bare = declared(v, local_name(v));
   const Expr* init = v->getInit();
   const auto* made = dyn_cast_or_null<CXXConstructExpr>(init);
-  const bool bare = made != nullptr && made->getNumArgs() == 0 && !made->requiresZeroInitialization();
-  if (init == nullptr || bare) return declared;
+  const bool empty = made != nullptr && made->getNumArgs() == 0 && !made->requiresZeroInitialization();
+  if (init == nullptr || empty) return bare;
   const bool constant = v->getType().isConstQualified() || refers;
-  return (constant ? "const " : "") + declared + " = " + glsl(init, position::whole);
+  return (constant ? "const " : "") + bare + " = " + glsl(init, position::whole);
 }
 
 void translator::check_name(const std::string& name, bool is_field, SourceLocation where) {

@@ -3,7 +3,6 @@
 // The list of the language: what passes as it is written, where what does not is translated, and what is outside.
 #include "translator.hpp"
 
-#include <clang/Lex/Lexer.h>
 #include <llvm/ADT/TypeSwitch.h>
 
 namespace pelage::codegen {

@@ -16,14 +16,6 @@
 
 namespace pelage::codegen {
 
-/// A type as GLSL declares it: `float x[4][3]` is the name float and the extents [4][3].
-struct glsl_type {
-  std::string name;
-  std::string extents;
-  [[nodiscard]] std::string text() const { return name + extents; }
-  [[nodiscard]] std::string declare(const std::string& what) const { return name + " " + what + extents; }
-};
-
 /// Where something stands: inside an expression; as a statement's value, condition or result; as a statement. Only the
 /// last may assign, and only the last two may call what has an effect: inside an expression the order of evaluation,
 /// which C++ and GLSL leave open each in its own way, would show.
@@ -89,7 +81,8 @@ class translator {
   void mark_sized();
 
   // types.cpp
-  glsl_type type_of(clang::QualType t, clang::SourceLocation where);
+  std::string type_of(clang::QualType t, clang::SourceLocation where);
+  std::string declared(const clang::ValueDecl* d, const std::string& name);
   std::string element_type(clang::QualType t, clang::SourceLocation where);
   std::string size_expression(const clang::Expr* e);
   std::string scalar_type(clang::QualType t, clang::SourceLocation where);

@@ -66,14 +66,22 @@ std::string translator::scalar_type(QualType t, SourceLocation where) {
   return name;
 }
 
-glsl_type translator::type_of(QualType t, SourceLocation where) {
+/// A type as its constructor is called: float[4][3].
+std::string translator::type_of(QualType t, SourceLocation where) {
   t = t.getNonReferenceType().getUnqualifiedType();
   std::string extents;
   for (auto a = array_of(t); a; a = array_of(t)) {
     extents += "[" + a->extent + "]";
     t = a->element;
   }
-  return {element_type(t, where), extents};
+  return element_type(t, where) + extents;
+}
+
+/// What declares a name: float x[4][3].
+std::string translator::declared(const ValueDecl* d, const std::string& name) {
+  const std::string type = type_of(d->getType(), d->getLocation());
+  const std::size_t end = std::min(type.find('['), type.size());
+  return type.substr(0, end) + " " + name + type.substr(end);
 }
 
 /// The name of a type that is no std::array.

@@ -127,7 +127,7 @@ std::string translator::initializer_list(const InitListExpr* l) {
     if (values.empty()) return zero(type, where);
     return values.size() == 1 ? glsl(values.front()) : reject(where, "list of values");
   }
-  if (!is_std_type(type, "array")) return type_of(type, where).text() + "(" + listed(values) + ")";
+  if (!is_std_type(type, "array")) return type_of(type, where) + "(" + listed(values) + ")";
   const auto* inner = values.empty() ? nullptr : dyn_cast<InitListExpr>(values.front()->IgnoreImplicit());
   if (inner == nullptr) return zero(type, where);
   return array_value(type, {inner->inits().begin(), inner->inits().end()}, where);
@@ -139,7 +139,7 @@ std::string translator::construct(const CXXConstructExpr* c) {
   if (made->isCopyOrMoveConstructor() && c->getNumArgs() == 1) return glsl(c->getArg(0));
   if (is_in(made, "glm")) {
     if (c->getNumArgs() == 0) return reject(where, "vector without a value");
-    return type_of(c->getType(), where).text() + "(" + listed({c->arg_begin(), c->arg_end()}) + ")";
+    return type_of(c->getType(), where) + "(" + listed({c->arg_begin(), c->arg_end()}) + ")";
   }
   if (c->getNumArgs() == 0 && (made->isTrivial() || !made->isUserProvided())) return zero(c->getType(), where);
   return reject(
@@ -155,26 +155,26 @@ std::string translator::array_value(QualType type, const std::vector<const Expr*
   std::string parts = listed(given);
   for (std::uint64_t i = given.size(); i < a.count; ++i)
     parts += (parts.empty() ? "" : ", ") + zero(a.element, where);
-  return type_of(type, where).text() + "(" + parts + ")";
+  return type_of(type, where) + "(" + parts + ")";
 }
 
 /// T{} for what has a fixed number of parts.
 std::string translator::zero(QualType t, SourceLocation where) {
-  const glsl_type type = type_of(t, where);
-  if (!type.extents.empty()) return array_value(t, {}, where);
+  const std::string type = type_of(t, where);
+  if (type.back() == ']') return array_value(t, {}, where);
   const auto* record = t->getAsCXXRecordDecl();
   if (record != nullptr && !is_in(record, "glm")) {
     std::string parts;
     for (const FieldDecl* f : record->fields())
       parts += (parts.empty() ? "" : ", ") + zero(f->getType(), where);
-    return type.name + "(" + parts + ")";
+    return type + "(" + parts + ")";
   }
-  return llvm::StringSwitch<std::string>(type.name)
+  return llvm::StringSwitch<std::string>(type)
       .Case("float", "0.0")
       .Case("bool", "false")
       .Case("int", "0")
       .Case("uint", "0u")
-      .Default(type.name + "(0)");
+      .Default(type + "(0)");
 }
 
 }  // namespace pelage::codegen
