@@ -78,7 +78,7 @@ std::string translator::call(const CallExpr* c, const FunctionDecl* f, position 
   bool effects = false;
   const auto pass = [&](const Expr* argument, bool by_reference, bool writes) {
     effects = effects || writes;
-    if (is_storage_type(argument->getType())) return;
+    if (is_storage(argument->getType())) return;
     all.push_back(isa<CXXThisExpr>(argument->IgnoreParenImpCasts()) ? "self" : glsl(argument));
     if (by_reference) places.emplace_back(all.back(), writes);
   };

@@ -173,7 +173,7 @@ std::string translator::parameters(const FunctionDecl* f) {
     locals_.insert("self");
   }
   for (const ParmVarDecl* p : f->parameters()) {
-    if (is_storage_type(p->getType())) {
+    if (is_storage(p->getType())) {
       if (!p->getType()->isReferenceType()) reject(p->getLocation(), "storage by value: pass it by reference");
       continue;
     }
@@ -223,8 +223,7 @@ void translator::translate_enum(const EnumDecl* e) {
 
 void translator::translate_constant(const VarDecl* v) {
   if (!begin(v)) return;
-  const VarDecl* definition = v->getDefinition(context_);
-  const Expr* init = (definition == nullptr ? v : definition)->getAnyInitializer();
+  const Expr* init = v->getAnyInitializer();
   if (init == nullptr) {
     reject(v->getLocation(), "constant without a value");
     return;

@@ -122,7 +122,7 @@ std::string translator::reference(const DeclRefExpr* r) {
   const auto* v = dyn_cast<VarDecl>(d);
   if (isa<BindingDecl>(d) || (v != nullptr && v->isStaticLocal())) return d->getNameAsString();  // told already
   if (v == nullptr) return reject(r, "`" + d->getNameAsString() + "` is not in the subset");
-  if (is_storage_type(v->getType())) return reject(r, "storage can only be passed on whole, or called");
+  if (is_storage(v->getType())) return reject(r, "storage can only be passed on whole, or called");
   if (!v->hasGlobalStorage()) return v->getNameAsString();
   if (!v->isConstexpr()) return reject(r, "global variable `" + v->getNameAsString() + "` that is not constexpr");
   if (v->isInStdNamespace()) {

@@ -23,10 +23,9 @@ std::string translator::cell_macro(const Expr* e, const std::string& suffix, con
 /// x in static_cast<std::uint32_t>(x.size()), x a span; else null.
 const Expr* translator::counted_span(const CastExpr* c) const {
   const auto* call = dyn_cast<CXXMemberCallExpr>(c->getSubExpr()->IgnoreParenImpCasts());
-  const Expr* object = call == nullptr ? nullptr : call->getImplicitObjectArgument();
-  const bool counts = object != nullptr && is_std_type(object->getType(), "span") &&
-                      call->getMethodDecl()->getName() == "size" && context_.getTypeSize(c->getType()) == 32;
-  return counts && isa<ExplicitCastExpr>(c) ? object : nullptr;
+  if (call == nullptr || !isa<ExplicitCastExpr>(c) || context_.getTypeSize(c->getType()) != 32) return nullptr;
+  const Expr* object = call->getImplicitObjectArgument();
+  return is_std_type(object->getType(), "span") && call->getMethodDecl()->getName() == "size" ? object : nullptr;
 }
 
 /// One operation of std::atomic_ref. The value passes through pelage_release() on its way in and pelage_acquire() on

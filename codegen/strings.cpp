@@ -83,7 +83,7 @@ std::string strings_header(const texts& files) {
     joins += filled("inline constexpr auto {0} = join<{1}>();\n", identifier(path), joined(path).substr(2));
     const std::filesystem::path name = path;
     if (name.parent_path() != folder) {
-      if (!folder.empty()) views += "}  // namespace " + folder + "\n";
+      views += (folder.empty() ? "" : "}  // namespace " + folder + "\n");
       folder = name.parent_path().string();
       views += "\nnamespace " + folder + " {\n";
     }

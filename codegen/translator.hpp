@@ -47,6 +47,9 @@ class translator {
 
   /// A struct of nothing but spans and pointers says where data lies: it vanishes from signatures.
   [[nodiscard]] static bool is_storage(const clang::CXXRecordDecl* r);
+  [[nodiscard]] static bool is_storage(clang::QualType t) {
+    return is_storage(t.getNonReferenceType()->getAsCXXRecordDecl());
+  }
 
  private:
   struct array {
@@ -133,7 +136,6 @@ class translator {
   const clang::Expr* counted_span(const clang::CastExpr* c) const;
   std::string atomic(const clang::CallExpr* c, const clang::Expr* reference, const std::string& name, unsigned first,
                      position at);
-  bool is_storage_type(clang::QualType t) const;
 
   // statements.cpp
   std::string statement(const clang::Stmt* s);

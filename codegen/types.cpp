@@ -14,10 +14,6 @@ bool translator::is_storage(const CXXRecordDecl* r) {
          });
 }
 
-bool translator::is_storage_type(QualType t) const {
-  return is_storage(t.getNonReferenceType()->getAsCXXRecordDecl());
-}
-
 /// std::array, with the size as it is written: the canonical type knows only one instantiation's number.
 std::optional<translator::array> translator::array_of(QualType t) {
   const auto* written = t->getAs<TemplateSpecializationType>();
