@@ -60,8 +60,7 @@ bool has_float(QualType t) {
 
 /// True where one path leads to the other's place or into it: slot and slot[i].depth, but not slot[i] and slot[j].
 bool overlap(const std::string& a, const std::string& b) {
-  const std::string& shorter = a.size() < b.size() ? a : b;
-  const std::string& longer = a.size() < b.size() ? b : a;
+  const auto& [shorter, longer] = std::minmax(a, b, [](auto& x, auto& y) { return x.size() < y.size(); });
   if (longer.compare(0, shorter.size(), shorter) != 0) return false;
   return longer.size() == shorter.size() || longer[shorter.size()] == '.' || longer[shorter.size()] == '[';
 }

@@ -48,8 +48,8 @@ void translator::check_overloads() {
 
 void translator::check_sizes() {
   for (const auto& [name, seen] : sizes_seen_) {
-    if (seen.values.size() < 2) {
-      reject(seen.first, name + " is instantiated at one size only: a second one shows that none is lost");
+    if (seen.size() < 2) {
+      reject(seen.begin()->second, name + " is instantiated at one size only: a second one shows that none is lost");
     }
   }
 }

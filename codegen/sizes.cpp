@@ -127,9 +127,7 @@ void translator::set_templates(const Decl* d) {
       }
     };
     note(s);
-    if (values.empty()) continue;
-    seen_sizes& seen = sizes_seen_[s.of->getQualifiedNameAsString()];
-    if (seen.values.insert(values).second && seen.values.size() == 1) seen.first = level->getLocation();
+    if (!values.empty()) sizes_seen_[s.of->getQualifiedNameAsString()].try_emplace(values, level->getLocation());
   }
 }
 

@@ -59,11 +59,6 @@ class translator {
     bool sized;  ///< by a macro
   };
 
-  struct seen_sizes {
-    clang::SourceLocation first;
-    std::set<std::string> values;
-  };
-
   // declarations.cpp
   void translate_function(const clang::FunctionDecl* f);
   void translate_record(const clang::CXXRecordDecl* r);
@@ -161,7 +156,7 @@ class translator {
 
   llvm::MapVector<const clang::Decl*, std::unique_ptr<entity>> entities_;  ///< by the pattern's canonical declaration
   llvm::SetVector<const clang::NamedDecl*> required_;                      ///< instantiations
-  std::map<std::string, seen_sizes> sizes_seen_;                           ///< of each template with a size
+  std::map<std::string, std::map<std::string, clang::SourceLocation>> sizes_seen_;  ///< by template, where
 
   // Of the definition in hand.
   std::unique_ptr<entity> fresh_;
