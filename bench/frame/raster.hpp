@@ -91,6 +91,10 @@ class raster {
   /// The pixels of the view that the segment may touch; empty (x0 >= x1 or y0 >= y1) when there are none.
   [[nodiscard]] pixel_rect bounds(std::uint32_t segment) const;
 
+  /// Calls `visit(segment, bounds)` for segments [begin, end).
+  template <class Visit>
+  void for_each_bounds(std::uint32_t begin, std::uint32_t end, Visit&& visit) const;
+
   /// A view depth that none of the segment's fragments lies before, rounding apart.
   [[nodiscard]] float nearest_depth(std::uint32_t segment) const;
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <numeric>
 #include <span>
 
 #include "frame/raster.hpp"
@@ -23,6 +24,10 @@ class raster::sweep {
   /// Calls `visit(touches)` for those of at most `width` segments.
   template <class Visit>
   void draw(std::span<const std::uint32_t> segments, Visit&& visit);
+
+  /// Calls `visit(segment, bounds)` for those of at most `width` segments.
+  template <class Visit>
+  void bound(std::span<const std::uint32_t> segments, Visit&& visit);
 
  private:
   using pack = lanes<width>;
@@ -92,6 +97,31 @@ void raster::for_each(std::span<const std::uint32_t> segments, const pixel_rect&
     for_each_touch(found,
                    [&](std::size_t, std::uint32_t segment, int x, int y, const touch& t) { visit(segment, x, y, t); });
   });
+}
+
+template <class Visit>
+void raster::for_each_bounds(std::uint32_t begin, std::uint32_t end, Visit&& visit) const {
+  sweep one(*this, {0, 0, 0, 0});
+  std::array<std::uint32_t, width> segments;
+  for (std::uint32_t s = begin; s < end; s += width) {
+    std::iota(segments.begin(), segments.end(), s);
+    one.bound(std::span(segments).first(std::min<std::size_t>(width, end - s)), visit);
+  }
+}
+
+template <class Visit>
+void raster::sweep::bound(std::span<const std::uint32_t> segments, Visit&& visit) {
+  load(segments);
+  const outline<pack> near = outline_of(start_, end_, from_.view_, from_.stretch_);
+  const integers x0 = whole_numbers(near.x0);
+  const integers y0 = whole_numbers(near.y0);
+  const integers x1 = whole_numbers(near.x1);
+  const integers y1 = whole_numbers(near.y1);
+  const std::uint32_t wide = bits(near.fails > pack(0.0F));
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const bool is_wide = (wide >> k & 1U) != 0;
+    visit(segments[k], is_wide ? from_.bounds(segments[k]) : pixel_rect{x0[k], y0[k], x1[k], y1[k]});
+  }
 }
 
 template <class Visit>

@@ -50,9 +50,12 @@ tiles::tiles(const raster& from, std::span<const float> limit, std::span<const s
     }
   };
   const occluder hidden(from, limit);
-  tbb::parallel_for(0U, from.fibres().segment_count(), [&](std::uint32_t s) {
-    const pixel_rect box = from.bounds(s);
-    touched[s] = hidden.hides(s, box) ? tile_range{0, 0, 0, 0} : tiles_of(box);
+  tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) {
+    const std::size_t end = std::min(segments, (c + 1) * chunk);
+    from.for_each_bounds(static_cast<std::uint32_t>(c * chunk), static_cast<std::uint32_t>(end),
+                         [&](std::uint32_t s, const pixel_rect& box) {
+                           touched[s] = hidden.hides(s, box) ? tile_range{0, 0, 0, 0} : tiles_of(box);
+                         });
   });
   tbb::parallel_for(std::size_t{0}, chunks,
                     [&](std::size_t c) { walk(c, [](std::size_t& n, std::uint32_t) { ++n; }); });

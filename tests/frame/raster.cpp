@@ -48,6 +48,13 @@ pixel_rect any_clip(const view& v) {
 void assert_sweep_is_complete(const strands& fibres, const view& v) {
   const raster from(fibres, v, *rc::gen::arbitrary<bool>());
   const pixel_rect clip = any_clip(v);
+  std::uint32_t bounded = 0;
+  from.for_each_bounds(0, fibres.segment_count(), [&](std::uint32_t segment, const pixel_rect& b) {
+    const pixel_rect alone = from.bounds(segment);
+    RC_ASSERT(segment == bounded++);
+    RC_ASSERT((b.x0 == alone.x0 && b.y0 == alone.y0 && b.x1 == alone.x1 && b.y1 == alone.y1));
+  });
+  RC_ASSERT(bounded == fibres.segment_count());
   for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
     RC_ASSERT(swept(from, s, clip) == asked_pixel_by_pixel(from, s, clip));
     const pixel_rect b = from.bounds(s);
