@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ frame_settings small_frame(order_method order, std::uint32_t k) {
   s.opacity = 0.4F;
   s.fibre_radius = 0.02F;
   s.on_bust = true;
+  s.shading_spacing = std::numeric_limits<float>::infinity();  // as shaders light segments
   return s;
 }
 
