@@ -67,7 +67,11 @@ std::string translator::glsl(const Stmt* s, position at) {
       .Case<CompoundStmt>([&](const auto* x) { return compound(x); })
       .Case<IfStmt>([&](const auto* x) { return if_statement(x); })
       .Case<CXXForRangeStmt>([&](const auto* x) { return range_loop(x); })
-      .Case<ForStmt>([&](const auto* x) { return control(x, "for", x->getConditionVariable() != nullptr); })
+      .Case<ForStmt>([&](const auto* x) {
+        const auto* first = dyn_cast_or_null<DeclStmt>(x->getInit());
+        return first != nullptr && !first->isSingleDecl() ? reject(first, "several variables in the head of `for`")
+                                                          : control(x, "for", x->getConditionVariable() != nullptr);
+      })
       .Case<WhileStmt>([&](const auto* x) { return control(x, "while", x->hasVarStorage()); })
       .Case<SwitchStmt>([&](const auto* x) { return control(x, "switch", x->hasInitStorage() || x->hasVarStorage()); })
       .Case<CaseStmt>(

@@ -39,6 +39,13 @@ int in_while(int x) noexcept {
   return x;
 }
 
+int two_in_a_head(int x) noexcept {
+  for (int i = 0, n = 4; i < n; ++i) {  // error: several variables in the head of `for`
+    x += i;
+  }
+  return x;
+}
+
 int remembers(int x) noexcept {
   static int seen = 0;  // error: static local variable
   seen += x;

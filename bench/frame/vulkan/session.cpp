@@ -1,0 +1,221 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/vulkan/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+
+namespace pelage::frame::vulkan {
+
+session::session(const stage& set, const frame_settings& settings)
+    : set_(set),
+      k_(settings.k),
+      shadows_(has_shadows(settings.shown)),
+      light_plan_(plan_of(settings, false)),
+      camera_plan_(plan_of(settings, true)),
+      constants_(make_scene_block(set, settings)) {
+  if (needs_64_bit_atomics(settings) && !device_.has_64_bit_atomics()) {
+    throw std::runtime_error("--device vulkan: " + device_.name() +
+                             " has no 64-bit atomics for --order atomic_k_buffer or --blend depth_peeling");
+  }
+  device_.resize(scene_buffer, sizeof constants_);
+  upload_constants();
+  upload_fibres(device_, set.fibres, set.drawing_order);
+  make_buffers();
+}
+
+void session::read_picture(image& picture) {
+  device_.download(picture_buffer, std::as_writable_bytes(std::span(picture.pixels)));
+}
+
+std::vector<device_frame::fragments> session::read_fragments() {
+  std::vector<view_report> last(set_.lights.size() + 1);
+  device_.download(report_buffer, std::as_writable_bytes(std::span(last)));
+  std::vector<device_frame::fragments> all;
+  for (std::uint32_t v = first_view(); v <= camera(); ++v)
+    all.push_back({counted_[v].fragments, counted_[v].longest, last[v].refused});
+  return all;
+}
+
+session::view_range session::only(std::uint32_t v) const {
+  return {v == camera() ? "camera" : fmt::format("light {}", v + 1), v, v + 1};
+}
+
+std::uint64_t session::invocations(const view_range& views, over what) const {
+  if (what == over::segments) return set_.fibres.segment_count();
+  if (what == over::points) return set_.fibres.point.size();
+  std::uint64_t most = 0;
+  for (std::uint32_t v = views.first; v < views.end; ++v) {
+    most = std::max(most, what == over::stamps ? std::uint64_t{constants_.views[v].stamp_count} : blocks(v));
+  }
+  return most;
+}
+
+void session::fill(std::vector<step>& to, const view_range& views, const std::string& what, std::uint32_t binding,
+                   std::uint32_t value) const {
+  to.push_back({views.name, "clear " + what, "", binding, value, 0, false, 1, {}, false});
+}
+
+void session::run(std::vector<step>& to, const view_range& views, const std::string& kernel, over what) const {
+  to.push_back({views.name,
+                kernel,
+                kernel,
+                0,
+                0,
+                invocations(views, what),
+                what == over::subgroups,
+                views.end - views.first,
+                {views.first, capacity_, plan_for(views.first).lists, k_},
+                false});
+}
+
+void session::run(std::vector<step>& to, const view_range& views, const std::vector<plan::pass>& passes) const {
+  for (const plan::pass& p : passes)
+    run(to, views, p.kernel, p.what);
+}
+
+void session::upload_constants() {
+  device_.upload(scene_buffer, std::as_bytes(std::span(&constants_, 1)));
+}
+
+void session::make_buffers() {
+  std::uint64_t all = 0;
+  std::uint64_t most = 0;
+  std::uint64_t all_blocks = 0;
+  for (std::uint32_t v = 0; v <= camera(); ++v) {
+    all += pixels(v);
+    all_blocks += blocks(v) / 64;
+    most = std::max(most, pixels(v));
+  }
+  const std::uint64_t points = set_.fibres.point.size();
+  device_.resize(limit_buffer, all * sizeof(float));
+  device_.resize(block_limit_buffer, all_blocks * sizeof(float));
+  device_.resize(sample_buffer, pixels(camera()) * 10 * sizeof(float));
+  device_.resize(count_buffer, all * sizeof(std::uint32_t));
+  device_.resize(run_buffer, all * 2 * sizeof(std::uint32_t));
+  device_.resize(report_buffer, (set_.lights.size() + 1) * sizeof(view_report));
+  device_.resize(seen_buffer, points * sizeof(std::uint32_t));
+  device_.resize(shaded_buffer, points * 2 * sizeof(std::uint32_t));
+  device_.resize(picture_buffer, pixels(camera()) * 3 * sizeof(float));
+  device_.resize(pool_buffer, 0);
+  device_.resize(record_buffer, 0);
+  device_.resize(stamp_buffer, 0);
+  const std::uint64_t texels = all - pixels(camera());
+  device_.resize(cell_buffer, (light_plan_.maps || camera_plan_.maps ? all : 0) * 12 * sizeof(std::uint32_t));
+  device_.resize(blended_buffer, pixels(camera()) * camera_plan_.blended * sizeof(std::uint32_t));
+  measure();
+  make_room();
+  const std::uint64_t entries = light_plan_.whole ? capacity_ : texels * k_;
+  const std::uint64_t lists = std::max(light_plan_.lists, camera_plan_.lists);
+  const std::uint64_t links = lists == 0 ? 0 : lists * most + capacity_;
+  if (links > 0xff000000U || entries > 0xffffffffU) {
+    throw std::runtime_error("--device vulkan: the frame has more fragments than can be numbered");
+  }
+  device_.resize(pool_buffer, std::uint64_t{capacity_} * 2 * sizeof(std::uint32_t));
+  device_.resize(texel_buffer, (light_plan_.pool ? texels : 0) * 8 * sizeof(std::uint32_t));
+  device_.resize(entry_buffer, (light_plan_.pool ? entries : 0) * 2 * sizeof(std::uint32_t));
+  device_.resize(link_buffer, links * sizeof(std::uint32_t));
+  device_.resize(slot_buffer, most * std::max(light_plan_.slots, camera_plan_.slots) * sizeof(std::uint64_t));
+  device_.resize(record_buffer,
+                 camera_plan_.records ? std::uint64_t{counted_[camera()].taken} * 4 * sizeof(std::uint32_t) : 0);
+  tally();
+  make_frame();
+}
+
+std::vector<view_report> session::run_and_read(const std::vector<step>& steps) {
+  (void)device_.run(steps);
+  std::vector<view_report> read(set_.lights.size() + 1);
+  device_.download(report_buffer, std::as_writable_bytes(std::span(read)));
+  return read;
+}
+
+/// What every frame begins with.
+void session::begin(std::vector<step>& to) const {
+  fill(to, all_views(), "reports", report_buffer, 0);
+  fill(to, all_views(), "seen", seen_buffer, 0);
+  fill(to, all_views(), "block limits", block_limit_buffer, 0);
+  run(to, all_views(), "opaque", over::pixels);
+}
+
+/// Finds how many fragments each view that holds them has at most.
+void session::measure() {
+  std::vector<step> steps;
+  begin(steps);
+  fill(steps, all_views(), "counts", count_buffer, 0);
+  for (const view_range& views : one_by_one()) {
+    if (plan_for(views.first).pool) run(steps, views, {{"count", over::segments}, {"allocate", over::pixels}});
+  }
+  counted_ = run_and_read(steps);
+}
+
+/// Gives each view its part of the pool and of the stamps. Runs lie one view's behind another's, but for the
+/// camera's records, which have memory of their own; lists have the pool to themselves, one view after another.
+void session::make_room() {
+  std::uint64_t stamps = 0;
+  std::uint64_t places = 0;
+  for (std::uint32_t v = first_view(); v <= camera(); ++v) {
+    const plan& p = plan_for(v);
+    const view_report& most = counted_[v];
+    const bool follows = p.runs && !(p.records && v == camera());
+    if (follows) constants_.views[v].first_place = static_cast<std::uint32_t>(places);
+    places = std::max<std::uint64_t>(follows ? places + most.taken : places, most.taken);
+    if (!p.runs) continue;
+    constants_.views[v].first_stamp = static_cast<std::uint32_t>(stamps);
+    constants_.views[v].stamp_count = set_.fibres.segment_count() + most.stamps;
+    stamps += constants_.views[v].stamp_count;
+  }
+  if (std::max(stamps, places) > 0xffffffffU) {
+    throw std::runtime_error("--device vulkan: the frame has more fragments than can be numbered");
+  }
+  capacity_ = static_cast<std::uint32_t>(places);
+  device_.resize(stamp_buffer, stamps * 4 * sizeof(std::uint32_t));
+  upload_constants();
+}
+
+/// Counts the fragments of every view once, for the report and for layers.
+void session::tally() {
+  std::vector<step> steps;
+  begin(steps);
+  fill(steps, all_views(), "counts", count_buffer, 0);
+  run(steps, all_views(), {{"count_drawn", over::segments}, {"tally", over::pixels}});
+  counted_ = run_and_read(steps);
+}
+
+void session::build(const view_range& views) {
+  for (const plan::clearing& c : plan_for(views.first).clear)
+    fill(frame_, views, c.what, c.binding, c.value);
+  run(frame_, views, plan_for(views.first).build);
+}
+
+void session::finish(const view_range& views) {
+  const plan& p = plan_for(views.first);
+  if (views.first == camera()) {
+    const std::string maps = light_plan_.maps ? "_occupancy" : "";
+    run(frame_, views, {{"shade" + maps, over::points}, {"background" + maps, over::pixels}});
+    frame_.back().beside = true;
+    frame_.back().pass = (frame_.end() - 2)->pass = "shade, background";
+  }
+  for (std::uint32_t layer = 0; layer < (p.layer.empty() ? 0 : counted_[views.first].longest); ++layer)
+    run(frame_, views, p.layer);
+  run(frame_, views, p.finish);
+}
+
+void session::make_frame() {
+  begin(frame_);
+  if (light_plan_.maps || camera_plan_.maps) fill(frame_, all_views(), "maps", cell_buffer, 0);
+  if (light_plan_.runs && camera_plan_.runs) {
+    build(all_views());
+    if (lights().end > 0 && shadows_) finish(lights());
+    finish(only(camera()));
+    return;
+  }
+  for (const view_range& views : one_by_one()) {
+    build(views);
+    finish(views);
+  }
+}
+
+}  // namespace pelage::frame::vulkan

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "frame/image.hpp"
+#include "frame/stage.hpp"
+#include "frame/vulkan/buffers.hpp"
+#include "frame/vulkan/device.hpp"
+#include "frame/vulkan/device_frame.hpp"
+#include "frame/vulkan/plan.hpp"
+#include "frame/vulkan/scene_block.hpp"
+
+namespace pelage::frame::vulkan {
+
+/// One model and view on one device.
+class session {
+ public:
+  /// Throws std::runtime_error, one line, where the device lacks what the settings ask for.
+  session(const stage& set, const frame_settings& settings);
+
+  [[nodiscard]] const std::string& device_name() const { return device_.name(); }
+  [[nodiscard]] std::uint64_t bytes() const { return device_.bytes(); }
+  [[nodiscard]] const std::vector<step>& frame() const { return frame_; }
+  [[nodiscard]] std::vector<double> draw() { return device_.run(frame_); }
+  void read_picture(image& picture);
+  /// One a light with shadows, then the camera's.
+  [[nodiscard]] std::vector<device_frame::fragments> read_fragments();
+
+ private:
+  [[nodiscard]] std::uint32_t camera() const { return static_cast<std::uint32_t>(set_.lights.size()); }
+  [[nodiscard]] const plan& plan_for(std::uint32_t v) const { return v == camera() ? camera_plan_ : light_plan_; }
+  [[nodiscard]] const view& view_of(std::uint32_t v) const { return v == camera() ? set_.eye : set_.light_views[v]; }
+  [[nodiscard]] std::uint64_t pixels(std::uint32_t v) const {
+    return static_cast<std::uint64_t>(view_of(v).width) * static_cast<std::uint64_t>(view_of(v).height);
+  }
+  /// Invocations of a kernel that walks a view's pixels in blocks of 8 × 8.
+  [[nodiscard]] std::uint64_t blocks(std::uint32_t v) const {
+    const auto rounded = [](int n) { return static_cast<std::uint64_t>((n + 7) / 8 * 8); };
+    return rounded(view_of(v).width) * rounded(view_of(v).height);
+  }
+  [[nodiscard]] std::uint32_t first_view() const { return shadows_ ? 0 : camera(); }
+
+  /// Views that one step works for.
+  struct view_range {
+    std::string name;
+    std::uint32_t first, end;
+  };
+  [[nodiscard]] view_range only(std::uint32_t v) const;
+  [[nodiscard]] view_range lights() const { return {"lights", first_view(), camera()}; }
+  [[nodiscard]] view_range all_views() const {
+    return shadows_ ? view_range{"all", first_view(), camera() + 1} : only(camera());
+  }
+  [[nodiscard]] std::vector<view_range> one_by_one() const {
+    std::vector<view_range> all;
+    for (std::uint32_t v = first_view(); v <= camera(); ++v)
+      all.push_back(only(v));
+    return all;
+  }
+
+  [[nodiscard]] std::uint64_t invocations(const view_range& views, over what) const;
+  void fill(std::vector<step>& to, const view_range& views, const std::string& what, std::uint32_t binding,
+            std::uint32_t value) const;
+  void run(std::vector<step>& to, const view_range& views, const std::string& kernel, over what) const;
+  void run(std::vector<step>& to, const view_range& views, const std::vector<plan::pass>& passes) const;
+
+  void upload_constants();
+  void make_buffers();
+  [[nodiscard]] std::vector<view_report> run_and_read(const std::vector<step>& steps);
+  void begin(std::vector<step>& to) const;
+  void measure();
+  void make_room();
+  void tally();
+  void build(const view_range& views);
+  void finish(const view_range& views);
+  void make_frame();
+
+  device device_;
+  const stage& set_;
+  std::uint32_t k_;
+  bool shadows_;
+  plan light_plan_;
+  plan camera_plan_;
+  scene_block constants_;
+  std::uint32_t capacity_ = 0;
+  std::vector<view_report> counted_;
+  std::vector<step> frame_;
+};
+
+}  // namespace pelage::frame::vulkan
