@@ -41,8 +41,8 @@ struct view_report {
   std::uint32_t fragments, longest, refused, taken, stamps;
 };
 
-/// Uploads what does not change from frame to frame: the strands and the order of drawing them. Without a given order
-/// strands that grow near each other are drawn together: they lie near each other in the picture, too.
+/// Uploads what does not change from frame to frame: the strands and the order of drawing them; without one, segments
+/// that lie near each other are drawn together.
 /// Throws std::runtime_error for more points than a segment's word can number.
 void upload_fibres(device& to, const strands& fibres, std::span<const std::uint32_t> drawing_order);
 
