@@ -49,7 +49,8 @@ class pixel_visitor {
   /// before finish().
   virtual void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) = 0;
 
-  /// The same for fragments of any pixels, all of one thread; that of lane k goes to the tail behind[tail_of[k]].
+  /// The same for fragments of any pixels, all of one thread; that of lane k goes to the tail behind[tail_of[k]]. At
+  /// least one lane is set; those that are not hold the number of some segment.
   virtual void lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
                           std::span<tail> behind);
 

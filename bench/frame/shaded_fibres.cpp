@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "frame/occluder.hpp"
@@ -15,7 +16,8 @@ namespace pelage::frame {
 namespace {
 
 constexpr std::uint32_t most_intervals = 64;
-constexpr std::uint32_t block = 512;  ///< segments that one task shades
+constexpr std::uint64_t most_places = 0x7fffffffU / 3;  ///< whose members a signed index numbers
+constexpr std::uint32_t block = 512;                    ///< segments that one task shades
 
 }  // namespace
 
@@ -31,13 +33,14 @@ shaded_fibres::shaded_fibres(const scene& world, const raster& from, std::span<c
     const bool empty = bounds.x0 >= bounds.x1 || bounds.y0 >= bounds.y1;
     if (!empty && !hidden.hides(s, bounds)) first_[fibres.segment[s]] = intervals(s, spacing);
   });
-  std::uint32_t next = 0;
+  std::uint64_t next = 0;
   std::uint32_t before = 0;  // intervals of the segment that ends here
   for (std::uint32_t& first : first_) {
-    const std::uint32_t after = std::exchange(first, next);
+    const std::uint32_t after = std::exchange(first, static_cast<std::uint32_t>(next));
     next += after == 0 && before > 0 ? 1 : after;
     before = after;
   }
+  if (next > most_places) throw std::runtime_error("the model has too many places to shade: raise --shading-spacing");
   place_.resize(next);
   tbb::parallel_for(0U, (segments + block - 1) / block,
                     [&](std::uint32_t b) { shade(b * block, std::min((b + 1) * block, segments)); });

@@ -22,7 +22,7 @@ class shaded_fibres {
  public:
   /// `limit`: view depth per pixel at and behind which no fibre is seen, or empty. `spacing`: pixels, (0, inf]; 0:
   /// nothing is mixed, each question is answered by itself. A segment has at most 64 intervals. Both references must
-  /// outlive this. O(points), parallel.
+  /// outlive this. O(points), parallel. Throws std::runtime_error where the places would be more than 7 · 10⁸.
   shaded_fibres(const scene& world, const raster& from, std::span<const float> limit, float spacing);
 
   /// Linear RGB at a place on a segment, where it leaves a fragment before the limit.

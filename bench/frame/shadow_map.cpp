@@ -28,9 +28,12 @@ shadow_map::spots shadow_map::find(const wide3& world, wide bias, std::uint32_t 
   const glm::vec<2, wide> pixel = light_.to_pixel(p);
   const wide width(static_cast<float>(light_.width));
   const wide height(static_cast<float>(light_.height));
-  const std::uint32_t beyond =
-      bits(pixel.x > width) | bits(pixel.y > height) | bits(pixel.x < zero) | bits(pixel.y < zero);
-  const std::uint32_t inside = set & ~beyond & bits(depth > wide(light_.near_plane));
+  // The borders belong to the map. A NaN is nowhere.
+  const auto within = [&](wide at, wide size) {
+    return (bits(at > zero) | bits(at < size)) & ~(bits(at < zero) | bits(at > size));
+  };
+  const std::uint32_t inside =
+      set & within(pixel.x, width) & within(pixel.y, height) & bits(depth > wide(light_.near_plane));
 
   // The rim has its texel's value.
   const auto between = [&](wide at, wide size) { return least(greatest(at - wide(0.5F), zero), size - wide(1.0F)); };

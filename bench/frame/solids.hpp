@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -49,7 +50,7 @@ solid_hit<Real> solids::hit(const glm::vec<3, Real>& origin, const glm::vec<3, R
   const Real fall = (height - origin.y) / direction.y;
   const Real below = select(direction.y < zero, select(origin.y > height, fall, nowhere), nowhere);
   const auto on_floor = below < body.distance;
-  const Real mist = saturate((below * vector_length(direction) - Real(clear)) / Real(2.0F * clear - clear));
+  const Real mist = saturate((below * vector_length(direction) - Real(clear)) / Real(clear));
   const Real haze = mist * mist * (Real(3.0F) - Real(2.0F) * mist);
   return {select(on_floor, below, body.distance), select(on_floor, filled<Real>({0.0F, 1.0F, 0.0F}), body.normal),
           select(on_floor, filled<Real>(ground), flesh), select(on_floor, haze, zero)};

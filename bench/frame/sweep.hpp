@@ -190,8 +190,11 @@ inline void raster::sweep::load(std::span<const std::uint32_t> segments) {
 
 template <class Look>
 void raster::sweep::queue(int lane, const outline<float>& near, Look&& look) {
-  const pack low(std::max(near.x0, static_cast<float>(clip_.x0)));
-  const pack high(std::min(near.x1, static_cast<float>(clip_.x1)));
+  const float x0 = std::max(near.x0, static_cast<float>(clip_.x0));
+  const float x1 = std::min(near.x1, static_cast<float>(clip_.x1));
+  if (x0 >= x1) return;
+  const pack low(x0);
+  const pack high(x1);
   const int y0 = std::max(static_cast<int>(near.y0), clip_.y0);
   const int y1 = std::min(static_cast<int>(near.y1), clip_.y1);
   for (int y = y0; y < y1; y += width) {

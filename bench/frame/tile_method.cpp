@@ -40,7 +40,8 @@ class tile_worker {
     std::fill(behind_.begin(), behind_.end(), empty_tail());
     knows_last_ = false;
     work.for_each_visible_lanes(segments, rect, [&](raster::touches found) {
-      const std::uint32_t nan = found.set & ~bits(found.depth < floats(std::numeric_limits<float>::infinity()));
+      const floats infinite(std::numeric_limits<float>::infinity());
+      const std::uint32_t nan = found.set & ~(bits(found.depth < infinite) | bits(found.depth > floats(0.0F)));
       refused += static_cast<std::uint64_t>(std::popcount(nan));
       found.set &= ~nan;
       const integers pixel =

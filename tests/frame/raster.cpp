@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -45,6 +46,18 @@ pixel_rect any_clip(const view& v) {
   return *rc::gen::arbitrary<bool>() ? whole(v) : pixel_rect{x0, y0, x1, y1};
 }
 
+/// Pixels of many segments go through the kernels together; what a clip lies beside must not disturb the others.
+void assert_together_as_alone(const raster& from, const pixel_rect& clip) {
+  std::vector<std::uint32_t> all(from.fibres().segment_count());
+  std::iota(all.begin(), all.end(), 0U);
+  std::vector<touches> together(all.size());
+  from.for_each(all, clip, [&](std::uint32_t segment, int x, int y, const touch& t) {
+    together[segment].emplace_back(x, y, t.depth, t.coverage, t.along);
+  });
+  for (const std::uint32_t s : all)
+    RC_ASSERT(together[s] == swept(from, s, clip));
+}
+
 void assert_sweep_is_complete(const strands& fibres, const view& v) {
   const raster from(fibres, v, *rc::gen::arbitrary<bool>());
   const pixel_rect clip = any_clip(v);
@@ -55,6 +68,10 @@ void assert_sweep_is_complete(const strands& fibres, const view& v) {
     RC_ASSERT((b.x0 == alone.x0 && b.y0 == alone.y0 && b.x1 == alone.x1 && b.y1 == alone.y1));
   });
   RC_ASSERT(bounded == fibres.segment_count());
+  assert_together_as_alone(from, clip);
+  const int side = *rc::gen::inRange(1, 12);
+  for (int x = 0; x < v.width; x += side)
+    assert_together_as_alone(from, {x, 0, std::min(x + side, v.width), v.height});
   for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
     RC_ASSERT(swept(from, s, clip) == asked_pixel_by_pixel(from, s, clip));
     const pixel_rect b = from.bounds(s);

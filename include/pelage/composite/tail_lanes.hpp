@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/composite/optical_depth_lanes.hpp>
 #include <pelage/composite/tail.hpp>
+#include <pelage/core/lane_math.hpp>
 #include <pelage/core/lane_moves.hpp>
 #include <pelage/coverage/coverage_lanes.hpp>
 
@@ -15,7 +16,8 @@
 namespace pelage {
 
 /// add_fragment() for W fragments at once, on the CPU: the fragment of each lane whose bit is set goes to the tail
-/// behind[tail_of[k]]. The same tails, bit for bit.
+/// behind[tail_of[k]]. The same tails, bit for bit, NaN included. set: [0, 2^W); tail_of[k]: [0, behind.size()) where
+/// lane k is set, else any number; one tail may stand there many times. O(W).
 template <int W>
 [[gnu::always_inline]] inline void add_fragments(lanes<W> alpha, const lane_points<W>& colour, std::uint32_t set,
                                                  const std::array<std::uint32_t, std::size_t{W}>& tail_of,
@@ -26,7 +28,8 @@ template <int W>
 template <int W>
 void add_fragments(lanes<W> alpha, const lane_points<W>& colour, std::uint32_t set,
                    const std::array<std::uint32_t, std::size_t{W}>& tail_of, std::span<tail> behind) noexcept {
-  const lanes<W> held = detail::saturate(alpha);
+  static_assert(offsetof(tail, blue) == 4 * sizeof(std::uint32_t) && sizeof(tail) == 5 * sizeof(std::uint32_t));
+  const lanes<W> held = saturate(alpha);
   const auto as_floats = [](lane_numbers<W> x) {
     return lanes<W>(reinterpret_cast<typename lanes<W>::vector>(x.lane));
   };

@@ -18,11 +18,12 @@ template <int W>
 [[nodiscard, gnu::always_inline]] inline typename lanes<W>::integers picked_integers(
     typename lanes<W>::integers x, typename lanes<W>::integers from) noexcept;
 
-/// Lane k of the result is `from[at[k]]`.
+/// Lane k of the result is `from[at[k]]`, for every lane: an element that may be read, behind `from` or before it. Any
+/// numbers of 4 bytes may lie there.
 template <int W>
 [[nodiscard, gnu::always_inline]] inline lanes<W> gathered(const float* from, typename lanes<W>::integers at) noexcept;
 
-/// The lanes whose bit is set, moved to the front in their order; 0 behind them.
+/// The lanes whose bit is set, moved to the front in their order; 0 behind them. set: [0, 2^W).
 template <int W>
 [[nodiscard, gnu::always_inline]] inline lanes<W> packed_left(std::uint32_t set, lanes<W> x) noexcept;
 
@@ -97,7 +98,9 @@ lanes<W> gathered(const float* from, typename lanes<W>::integers at) noexcept {
 #endif
   lanes<W> result;
   for (int k = 0; k < W; ++k) {
-    result.lane[k] = from[at[k]];
+    float one;
+    __builtin_memcpy(&one, from + at[k], sizeof(one));
+    result.lane[k] = one;
   }
   return result;
 }

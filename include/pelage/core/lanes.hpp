@@ -50,7 +50,7 @@ struct lanes {
   explicit lanes(vector all) noexcept : lane(all) {}
   template <class Number>
   requires std::is_arithmetic_v<Number>
-  explicit lanes(Number same) noexcept : lane(vector{} + static_cast<float>(same)) {}
+  explicit lanes(Number same) noexcept : lane(static_cast<float>(same) - vector{}) {}
 
   /// W floats from memory of any alignment, and back.
   [[nodiscard]] static lanes load(const float* from) noexcept;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/core/lanes.hpp>
+#include <pelage/core/lane_math.hpp>
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
 
@@ -69,12 +69,6 @@ template <int W>
 }
 
 template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> saturate(lanes<W> x) noexcept {
-  const lanes<W> one(1.0f);
-  return select(x > lanes<W>(0.0f), select(x < one, x, one), lanes<W>(0.0f));
-}
-
-template <int W>
 [[nodiscard, gnu::always_inline]] inline lanes<W> cap_share(lanes<W> h) noexcept {
   const lanes<W> one(1.0f);
   const lanes<W> two(2.0f);
@@ -103,13 +97,13 @@ closest_lanes<W> closest_points(const lane_points<W>& origin, const lane_points<
   const lane_points<W> axis_seen = detail::cross(axis, direction);
   const lanes<W> seen2 = detail::dot(axis_seen, axis_seen);
   const lanes<W> end_on = select(detail::dot(axis, direction) < zero, lanes<W>(1.0f), zero);
-  lanes<W> s = select(seen2 > zero, detail::saturate((zero - detail::dot(offset_seen, axis_seen)) / seen2), end_on);
+  lanes<W> s = select(seen2 > zero, saturate((zero - detail::dot(offset_seen, axis_seen)) / seen2), end_on);
   lanes<W> t =
       detail::dot(detail::plus(offset, detail::scaled(s, axis)), direction) / detail::dot(direction, direction);
   const lane_mask<W> behind = t < zero;
   if (bits(behind) != 0u) {
     const lanes<W> axis2 = detail::dot(axis, axis);
-    const lanes<W> nearest = detail::saturate((zero - detail::dot(offset, axis)) / axis2);
+    const lanes<W> nearest = saturate((zero - detail::dot(offset, axis)) / axis2);
     s = select(behind, select(axis2 > zero, nearest, zero), s);
     t = select(behind, zero, t);
   }
