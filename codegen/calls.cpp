@@ -146,7 +146,7 @@ std::string translator::operator_call(const CXXOperatorCallExpr* c, position at)
   if (op == OO_PlusPlus || op == OO_MinusMinus) return reject(c->getOperatorLoc(), "increment of a vector");
   arithmetic_ = arithmetic_ || vector;
   const std::string spelled = getOperatorSpelling(op);
-  if (c->getNumArgs() == 1) return spelled + glsl(c->getArg(0));
+  if (c->getNumArgs() == 1) return prefixed(spelled, glsl(c->getArg(0)));
   return glsl(c->getArg(0)) + " " + spelled + " " + glsl(c->getArg(1), assigns ? position::whole : position::part);
 }
 

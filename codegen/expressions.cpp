@@ -19,16 +19,29 @@ constexpr CastKind vanishing[] = {CK_LValueToRValue, CK_NoOp, CK_FunctionToPoint
 constexpr CastKind numeric[] = {CK_IntegralCast, CK_IntegralToFloating, CK_FloatingToIntegral,
                                 CK_FloatingCast, CK_IntegralToBoolean,  CK_FloatingToBoolean};
 
-/// The value of a conversion that vanishes, in the conversion's parentheses where it needs them.
-std::string kept(const CastExpr* c, const std::string& value) {
-  const Expr* from = c->getSubExpr()->IgnoreImplicit();
-  const auto* op = dyn_cast<CXXOperatorCallExpr>(from);
-  const bool loose = isa<BinaryOperator, ConditionalOperator>(from) || (op != nullptr && op->isInfixBinaryOp());
-  const bool same = from->getType().getCanonicalType() == c->getSubExpr()->getType().getCanonicalType();
-  return loose && same && isa<ExplicitCastExpr>(c) ? "(" + value + ")" : value;
+/// What lies within copies and within lists of one value.
+const Expr* copied(const Expr* e) {
+  e = e->IgnoreImplicit();
+  const auto* made = dyn_cast<CXXConstructExpr>(e);
+  if (made != nullptr && made->getNumArgs() == 1 && made->getConstructor()->isCopyOrMoveConstructor()) {
+    return copied(made->getArg(0));
+  }
+  const auto* list = dyn_cast<InitListExpr>(e);
+  return list != nullptr && list->getNumInits() == 1 && list->getType()->isScalarType() ? copied(list->getInit(0)) : e;
 }
 
 }  // namespace
+
+std::string kept(const Expr* e, const std::string& value) {
+  const auto* cast = dyn_cast<ExplicitCastExpr>(e);
+  if (cast == nullptr && !isa<CXXTemporaryObjectExpr>(e)) return value;
+  const Expr* whole = cast == nullptr ? e : cast->getSubExpr();
+  const Expr* from = copied(whole);
+  const auto* op = dyn_cast<CXXOperatorCallExpr>(from);
+  const bool loose = isa<BinaryOperator, ConditionalOperator>(from) || (op != nullptr && op->isInfixBinaryOp());
+  const auto plain = [](const Expr* x) { return x->getType().getCanonicalType().getUnqualifiedType(); };
+  return loose && plain(from) == plain(whole) ? "(" + value + ")" : value;
+}
 
 std::string translator::unary(const UnaryOperator* x, position at) {
   const Expr* operand = x->getSubExpr();
@@ -43,8 +56,7 @@ std::string translator::unary(const UnaryOperator* x, position at) {
   if (x->getOpcode() == UO_Deref && isa<MemberExpr>(operand->IgnoreParenImpCasts())) return cell_macro(operand, "", "");
   if (x->getOpcode() == UO_Deref || x->getOpcode() == UO_AddrOf) return reject(x->getOperatorLoc(), "pointer");
   arithmetic_ = arithmetic_ || x->getType()->isFloatingType();
-  const std::string value = glsl(operand);
-  return op + (value.rfind(op, 0) == 0 ? "(" + value + ")" : value);
+  return prefixed(op, glsl(operand));
 }
 
 std::string translator::binary(const BinaryOperator* x, position at) {

@@ -24,6 +24,11 @@ template <class... Parts>
 /// An expression of sizes without the literals' suffixes, which the preprocessor does not know.
 [[nodiscard]] std::string preprocessed(const std::string& expression);
 
+/// An operator before its operand: -(-x), for --x is something else.
+[[nodiscard]] inline std::string prefixed(const std::string& op, const std::string& operand) {
+  return op + (operand.rfind(op, 0) == 0 ? "(" + operand + ")" : operand);
+}
+
 /// Why a name cannot stand in GLSL, or nothing. Fields may bear the names of built-in functions, others not.
 [[nodiscard]] std::string bad_name(const std::string& name, bool is_field);
 

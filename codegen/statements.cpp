@@ -21,6 +21,10 @@ bool is_below(const Stmt* part, const Stmt* of) {
       .Default([](const Stmt* x) { return isa<CompoundStmt>(x); });
 }
 
+bool ends_line(llvm::StringRef source, unsigned from) {
+  return source.substr(from).ltrim(" \t\r").startswith("\n");
+}
+
 /// a of a.b[i].c.
 const Expr* root_of(const Expr* e) {
   e = e->IgnoreParenImpCasts();
@@ -28,6 +32,12 @@ const Expr* root_of(const Expr* e) {
   const auto* c = dyn_cast<CXXOperatorCallExpr>(e);
   return c != nullptr && c->getOperator() == OO_Subscript ? root_of(c->getArg(0)) : e;
 }
+
+/// The keywords that the header's own text between translated parts may hold.
+const std::set<llvm::StringRef> kept_keywords = {"if",   "else",    "for",    "while", "do",      "switch",
+                                                 "case", "default", "return", "break", "continue"};
+
+constexpr const char* macro_of_statements = "macro of statements: write a function";
 
 std::string braced(const std::string& text) {
   return text.rfind('{', 0) == 0 ? text : "{\n" + text + "\n}";
@@ -46,30 +56,44 @@ std::string translator::statement(const Stmt* s) {
   return open ? one + ";" : one;
 }
 
+/// The header's text between two parts, once it is known to mean the same in GLSL: keywords, brackets, comments.
+std::string translator::between(FileID where, unsigned from, unsigned to) {
+  std::string text = sources_.getBufferData(where).slice(from, to).str();
+  const SourceLocation first = sources_.getLocForStartOfFile(where).getLocWithOffset(static_cast<int>(from));
+  Lexer lexer(first, context_.getLangOpts(), text.data(), text.data(), text.data() + text.size());
+  Token one;
+  for (lexer.LexFromRawLexer(one); one.isNot(tok::eof); lexer.LexFromRawLexer(one)) {
+    const std::string spelled = text.substr(offset(one.getLocation()) - from, one.getLength());
+    if (one.is(tok::hash)) return reject(one.getLocation(), "preprocessor line inside a function");
+    const bool name = one.is(tok::raw_identifier);
+    if (name ? kept_keywords.count(spelled) != 0 : spelled.find_first_not_of("{}();:") == std::string::npos) continue;
+    return reject(one.getLocation(), name ? macro_of_statements : "`" + spelled + "` between statements");
+  }
+  return text;
+}
+
 /// The header's text of a statement, comments and blank lines included, with its parts in GLSL.
 std::string translator::as_written(const Stmt* s) {
   const SourceLocation begin = s->getBeginLoc();
-  const llvm::StringRef source = sources_.getBufferData(file(begin));
+  const FileID where = file(begin);
+  if (begin.isMacroID()) return reject(begin, macro_of_statements);
   const auto* loop = dyn_cast<ForStmt>(s);
   std::string result;
   unsigned done = offset(begin);
   for (const Stmt* part : s->children()) {
-    const auto* null = dyn_cast_or_null<NullStmt>(part);
-    if (begin.isMacroID() || (null != nullptr && null->hasLeadingEmptyMacro()) ||
-        (part != nullptr && offset(part->getBeginLoc()) < done)) {
-      return reject(begin, "macro of statements: write a function");
-    }
-    if (part == nullptr || null != nullptr) continue;
+    if (part == nullptr || isa<NullStmt>(part)) continue;
+    if (offset(part->getBeginLoc()) < done) return reject(begin, macro_of_statements);
     const bool below = is_below(part, s);
     const bool acts = loop != nullptr && part != loop->getCond();
     std::string one = below ? statement(part) : glsl(part, acts ? position::statement : position::whole);
     if (below && !isa<CompoundStmt, SwitchCase>(s) && one.rfind("if (", 0) != 0) one = braced(one);
-    result += source.slice(done, offset(part->getBeginLoc()));
-    if (one.empty()) result.erase(result.find_last_not_of(" \n") + 1);
-    result += one;
+    result += between(where, done, offset(part->getBeginLoc()));
     done = end_of(part, below);
+    // What is left of the line must not move up into a comment.
+    if (one.empty() && ends_line(sources_.getBufferData(where), done)) result.erase(result.find_last_not_of(" \n") + 1);
+    result += one;
   }
-  return result + source.slice(done, end_of(s, false)).str();
+  return result + between(where, done, end_of(s, false));
 }
 
 /// Where a statement's text ends; `below`: behind its semicolon.
@@ -91,7 +115,8 @@ std::string translator::compound(const CompoundStmt* s) {
 }
 
 std::string translator::if_statement(const IfStmt* s) {
-  if (!s->isConstexpr()) return control(s, "if", s->hasInitStorage() || s->hasVarStorage());
+  const bool declares = s->hasInitStorage() || s->hasVarStorage();
+  if (declares || !s->isConstexpr()) return control(s, "if", declares);
   if (has_size(s->getCond())) return reject(s, "`if constexpr` over a size: the size is lost, use a plain `if`");
   bool taken = false;
   (void)s->getCond()->EvaluateAsBooleanCondition(taken, context_);
@@ -99,8 +124,24 @@ std::string translator::if_statement(const IfStmt* s) {
   return branch == nullptr ? std::string() : statement(branch);
 }
 
+/// GLSL has labels in the switch's own block alone, and nothing before the first.
+std::string translator::switch_statement(const SwitchStmt* s) {
+  const auto* block = dyn_cast<CompoundStmt>(s->getBody());
+  if (block == nullptr) return reject(s, "switch without a block");
+  std::set<const SwitchCase*> own;
+  for (const Stmt* one : block->body()) {
+    for (auto label = dyn_cast<SwitchCase>(one); label != nullptr; label = dyn_cast<SwitchCase>(label->getSubStmt()))
+      own.insert(label);
+    if (own.empty()) return reject(one, "statement before the first case");
+  }
+  for (const SwitchCase* label = s->getSwitchCaseList(); label != nullptr; label = label->getNextSwitchCase())
+    if (own.count(label) == 0) reject(label, "case inside another statement");
+  return control(s, "switch", s->hasInitStorage() || s->hasVarStorage());
+}
+
 /// for (T x : array): a loop over a counter that no other name can meet.
 std::string translator::range_loop(const CXXForRangeStmt* s) {
+  if (s->getInit() != nullptr) return reject(s->getInit(), "statement in the head of a range-for");
   const VarDecl* v = s->getLoopVariable();
   const Expr* range = s->getRangeInit()->IgnoreParenImpCasts();
   QualType range_type = range->getType();

@@ -73,7 +73,7 @@ std::string translator::glsl(const Stmt* s, position at) {
                                                           : control(x, "for", x->getConditionVariable() != nullptr);
       })
       .Case<WhileStmt>([&](const auto* x) { return control(x, "while", x->hasVarStorage()); })
-      .Case<SwitchStmt>([&](const auto* x) { return control(x, "switch", x->hasInitStorage() || x->hasVarStorage()); })
+      .Case<SwitchStmt>([&](const auto* x) { return switch_statement(x); })
       .Case<CaseStmt>(
           [&](const auto* x) { return x->caseStmtIsGNURange() ? reject(x, "range of cases") : as_written(x); })
       .Case<DefaultStmt, DoStmt, ReturnStmt, BreakStmt, ContinueStmt>([&](const auto* x) { return as_written(x); })

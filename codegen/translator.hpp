@@ -23,8 +23,13 @@ enum class position { part, whole, statement };
 inline constexpr const char* effect_inside = "call with an effect inside an expression: give its result a name first";
 inline constexpr const char* assignment_inside = "assignment inside an expression: make it a statement of its own";
 
+inline constexpr const char* narrow = "8- or 16-bit integer: use int or std::uint32_t";
+
 /// True where a template's integer parameter stands in a statement, which a shader may set otherwise.
 [[nodiscard]] bool has_size(const clang::Stmt* s);
+
+/// The value of an explicit conversion or copy that vanishes, in parentheses where it needs them.
+[[nodiscard]] std::string kept(const clang::Expr* e, const std::string& value);
 
 /// True for a parameter or a loop's variable through which something else is written to.
 [[nodiscard]] inline bool writes_to(clang::QualType variable) {
@@ -134,10 +139,12 @@ class translator {
 
   // statements.cpp
   std::string statement(const clang::Stmt* s);
+  std::string between(clang::FileID where, unsigned from, unsigned to);
   std::string as_written(const clang::Stmt* s);
   std::string control(const clang::Stmt* s, const std::string& keyword, bool declares);
   std::string compound(const clang::CompoundStmt* s);
   std::string if_statement(const clang::IfStmt* s);
+  std::string switch_statement(const clang::SwitchStmt* s);
   std::string range_loop(const clang::CXXForRangeStmt* s);
   std::string variables(const clang::DeclStmt* s);
   std::string variable(const clang::VarDecl* v);

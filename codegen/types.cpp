@@ -50,7 +50,7 @@ std::string translator::scalar_type(QualType t, SourceLocation where) {
   if (const auto found = same.find(builtin->getKind()); found != same.end()) return found->second;
   if (builtin->isFloatingPoint()) return reject(where, "double: the mirror computes in float");
   const std::uint64_t width = context_.getTypeSize(t);
-  if (width < 32) return reject(where, "8- or 16-bit integer: use int or std::uint32_t");
+  if (width < 32) return reject(where, narrow);
   if (width > 64 || !builtin->isInteger()) return reject(where, "type " + t.getAsString() + " has no GLSL form");
   const auto* declared = t->getAs<TypedefType>();
   const std::string name = declared == nullptr ? "" : declared->getDecl()->getName().str();

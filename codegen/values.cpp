@@ -59,6 +59,7 @@ std::string translator::literal(const IntegerLiteral* l, QualType as) {
   const std::string digits = llvm::toString(l->getValue(), 10, false);
   if (as->isFloatingType()) return with_point(digits);
   if (as->isBooleanType()) return l->getValue() == 0 ? "false" : "true";
+  if (context_.getTypeSize(as) < 32) return reject(l, narrow);
   const std::string spelled = spelling(l->getBeginLoc());
   return (spelled.rfind("0x", 0) == 0 ? spelled.substr(0, spelled.find_first_of("uUlL")) : digits) + suffix(as);
 }
@@ -136,7 +137,7 @@ std::string translator::initializer_list(const InitListExpr* l) {
 std::string translator::construct(const CXXConstructExpr* c) {
   const CXXConstructorDecl* made = c->getConstructor();
   const SourceLocation where = c->getBeginLoc();
-  if (made->isCopyOrMoveConstructor() && c->getNumArgs() == 1) return glsl(c->getArg(0));
+  if (made->isCopyOrMoveConstructor() && c->getNumArgs() == 1) return kept(c, glsl(c->getArg(0)));
   if (is_in(made, "glm")) {
     if (c->getNumArgs() == 0) return reject(where, "vector without a value");
     return type_of(c->getType(), where) + "(" + listed({c->arg_begin(), c->arg_end()}) + ")";

@@ -216,6 +216,18 @@ precise float features_conversions(float x, float y, int n) {
   return (x + y) * float(n + 1) - (n < 0 ? x : y) * 2.0;
 }
 
+/// Copies: what they enclose stays together, and so do two signs; attributes and what only a compiler reads vanish.
+precise float features_copies(vec3 a, vec3 b, features_turn t) {
+  const bool less = a.x < b.x;
+  const features_turn other = features_turn(b.y, a.y);
+  const vec3 doubled = (less ? a : b) * 2.0 - (less ? b : a) * 4.0;
+  const vec3 halved = (less ? b : a) * 0.5;
+  // A line of its own.
+  const vec3 same = -(-a);
+  const float chosen = (less ? a.z : b.z) * 2.0;
+  return doubled.x + halved.y + same.z + chosen + (less ? t : other).sine + (less ? other : t).cosine;
+}
+
 /// The branch that a type takes, with its own comments alone.
 precise float features_by_type(float x) {
   // In float the series' first terms.

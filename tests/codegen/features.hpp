@@ -189,6 +189,22 @@ template <typename Real>
   return Real(x + y) * Real(n + 1) - Real(n < 0 ? x : y) * Real(2);
 }
 
+// clang-format off: two statements on a line.
+
+/// Copies: what they enclose stays together, and so do two signs; attributes and what only a compiler reads vanish.
+[[nodiscard]] inline float copies(const glm::vec3& a, const glm::vec3& b, turn t) noexcept {
+  const bool less = a.x < b.x;
+  [[maybe_unused]] const turn other = turn{b.y, a.y};
+  const glm::vec3 doubled = glm::vec3(less ? a : b) * 2.0f - glm::vec3{less ? b : a} * 4.0f;
+  const glm::vec3 halved = static_cast<glm::vec3>(less ? b : a) * 0.5f;
+  // A line of its own.
+  static_assert(sizeof(float) == 4); const glm::vec3 same = - -a;
+  const float chosen = float{less ? a.z : b.z} * 2.0f;
+  return doubled.x + halved.y + same.z + chosen + turn(less ? t : other).sine + turn{less ? other : t}.cosine;
+}
+
+// clang-format on
+
 /// The branch that a type takes, with its own comments alone.
 template <typename Real>
 [[nodiscard]] Real by_type(Real x) noexcept {

@@ -51,6 +51,7 @@ TEST_CASE("Every feature of the subset means the same in GLSL") {
               out.put(features::operators(features::sample_pair::of(a.x, a.y), a.z));
               out.put(features::by_type(a.x));
               out.put(features::conversions(a.x, a.y, static_cast<int>(in.u(10) % 7U) - 3));
+              out.put(features::copies(glm::vec3(a), glm::vec3(b), features::turn{a.w, b.w}));
             },
             {{"switch", 1, bits(), bits()},
              {"loops", 1, bits(), bits()},
@@ -70,7 +71,8 @@ TEST_CASE("Every feature of the subset means the same in GLSL") {
              {"folded constants", 1, 0, 0},
              {"operators", 1, 0, 0},
              {"branches by type", 1, 0, 0},
-             {"conversions", 1, 0, 0}});
+             {"conversions", 1, 0, 0},
+             {"copies", 1, 0, 0}});
   });
 }
 

@@ -93,4 +93,88 @@ int statements_of_a_macro(int x) noexcept {
   return x;
 }
 
+#define STOP break
+#define UNROLL
+#define OTHERWISE else
+#define DONE return
+#define NOTHING
+
+int macros_of_keywords(int x) noexcept {
+  while (x < 9) {
+    x += 1;
+    STOP;  // error: macro of statements: write a function
+  }
+  UNROLL for (int i = 0; i < 4; ++i) {  // error: macro of statements: write a function
+    x += i;
+  }
+  if (x > 0) {
+    x = 1;
+  } OTHERWISE {  // error: macro of statements: write a function
+    x = 2;
+  }
+  for (int i = 0; i < 4; ++i) {
+    NOTHING;  // error: macro of statements: write a function
+  }
+  DONE x;  // error: macro of statements: write a function
+}
+
+int configured(int x) noexcept {
+#ifdef REJECTED  // error: preprocessor line inside a function
+  x = 2;
+#else
+  x = 3;
+#endif  // error: preprocessor line inside a function
+  return x;
+}
+
+int digraphs(int x) noexcept {
+  if (x > 0) <%  // error: `<%` between statements
+    x = 1;
+  }
+  return x;
+}
+
+int in_constant_if(int x) noexcept {
+  if constexpr (const int y = 1; sizeof(int) == 4) {  // error: declaration inside `if`
+    return x + y;
+  }
+  return 0;
+}
+
+int in_range_for(std::array<int, 4> a) noexcept {
+  int total = 0;
+  for (const int start = 1; const int x : a) {  // error: statement in the head of a range-for
+    total += x * start;
+  }
+  return total;
+}
+
+int switch_without_block(int x) noexcept {
+  switch (x)  // error: switch without a block
+  case 1: x = 2;
+  return x;
+}
+
+int case_in_a_loop(int x) noexcept {
+  switch (x) {
+    case 0:
+      do {
+        x += 1;
+        case 1:  // error: case inside another statement
+          x += 2;
+      } while (x < 9);
+  }
+  return x;
+}
+
+int before_the_cases(int x) noexcept {
+  switch (x) {
+    int y;  // error: statement before the first case
+    case 0:
+      y = 1;
+      x = y;
+  }
+  return x;
+}
+
 }  // namespace rejected

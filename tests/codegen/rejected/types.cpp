@@ -39,6 +39,14 @@ short sixteen_bits(short x) noexcept {  // error: 8- or 16-bit integer: use int 
   return x;
 }
 
+std::uint32_t cut_to_eight_bits() noexcept {
+  return static_cast<std::uint8_t>(300);  // error: 8- or 16-bit integer: use int or std::uint32_t
+}
+
+int cut_to_sixteen_bits() noexcept {
+  return static_cast<std::int16_t>(-70000);  // error: 8- or 16-bit integer: use int or std::uint32_t
+}
+
 float through_a_pointer(const float* x) noexcept {  // error: pointer
   return *x;  // error: pointer
 }

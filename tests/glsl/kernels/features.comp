@@ -5,7 +5,7 @@
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 // Each feature of the subset, as pelage-glsl translates it.
 #define STRIDE 13u
-#define RESULTS 22u
+#define RESULTS 23u
 #include "table.glsl"
 
 #include "../../codegen/features.glsl"
@@ -41,4 +41,5 @@ void main() {
   put(19u, features_operators(features_sample_pair_of(a.x, a.y), a.z));
   put(20u, features_by_type(a.x));
   put(21u, features_conversions(a.x, a.y, int(u(10u) % 7u) - 3));
+  put(22u, features_copies(a.xyz, b.xyz, features_turn(a.w, b.w)));
 }
