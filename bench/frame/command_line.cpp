@@ -97,6 +97,14 @@ void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
     option->capture_default_str();
 }
 
+/// Refuses the options that have no meaning on what draws.
+void check_drawn_on(bool device, const CLI::Option* spacing, float pixels, const CLI::Option* frames) {
+  if (device && spacing->count() > 0 && pixels != std::numeric_limits<float>::infinity()) {
+    throw std::invalid_argument("--shading-spacing: --device vulkan shades the ends of segments alone, as inf does");
+  }
+  if (!device && frames->count() > 0) throw std::invalid_argument("--frames needs --device vulkan");
+}
+
 /// The look that the options ask for; throws std::invalid_argument where they do not go together.
 void read_look(const look_options& o, fibre_look& look) {
   look.model = model_names.at(o.model);
@@ -162,10 +170,12 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--components", shown, "what is drawn")
       ->check(CLI::IsMember(names(component_names)))
       ->capture_default_str();
-  app.add_option("--shading-spacing", s.shading_spacing,
-                 "pixels between the places of a segment that are shaded; 0: each fragment is")
-      ->check(CLI::Range(0.0F, std::numeric_limits<float>::infinity()))
-      ->capture_default_str();
+  CLI::Option* spacing =
+      app.add_option("--shading-spacing", s.shading_spacing,
+                     "pixels between the places of a segment that are shaded; 0: each fragment is; --device vulkan "
+                     "shades the ends alone, as inf does")
+          ->check(CLI::Range(0.0F, std::numeric_limits<float>::infinity()))
+          ->capture_default_str();
   app.add_option("--aa", antialias, "anti-aliasing, on or off")->check(CLI::IsMember({"on", "off"}));
   app.add_option("--alpha", s.opacity, "opacity of all fibres, [0, 1]; else the model's")->check(CLI::Range(0.0, 1.0));
   look_options look;
@@ -182,8 +192,9 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--device", device, "what draws: cpu or vulkan")
       ->check(CLI::IsMember({"cpu", "vulkan"}))
       ->capture_default_str();
-  app.add_option("--frames", c.frames, "drawn by --device vulkan; the report has their median times")
-      ->check(CLI::Range(1, 100000));
+  CLI::Option* frames =
+      app.add_option("--frames", c.frames, "drawn by --device vulkan; the report has their median times")
+          ->check(CLI::Range(1, 100000));
   app.add_option("--shuffle", s.shuffle, "draw segments in an order of this seed; the picture is the same")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
@@ -201,6 +212,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   read_look(look, s.look);
   s.on_bust = c.hair.empty();
   c.on_device = device == "vulkan";
+  check_drawn_on(c.on_device, spacing, s.shading_spacing, frames);
   for (const std::string& text : lights)
     s.lights.push_back(parse_light(text));
   if (!from.empty()) s.from = glm::vec2(from[0], from[1]);

@@ -49,7 +49,10 @@ def methods_table(program):
 
 
 def blending(report):
-    """Milliseconds of the camera's passes that bring fragments in order and together."""
+    """Milliseconds of the camera's passes that bring fragments in order and together; None where one dispatch does some
+    of that for all views."""
+    if any(p["view"] == "all" and p["name"] == "count" for p in report["passes"]):
+        return None
     others = ("opaque", "shade", "background", "clear reports", "clear maps")
     passes = [p for p in report["passes"] if p["view"] == "camera"]
     return sum(p["milliseconds"] for p in passes if not p["name"].startswith(others))
@@ -67,8 +70,10 @@ def peeling_table(program, folder):
             frames = FRAMES if blend != "depth_peeling" else 10
             r = draw(program, HAIR + options, frames)
             all_reports[f"{shadow} {blend}"] = r
+            alone = blending(r)
             print(
-                f"{shadow:12}{blend:18}{r['milliseconds']:8.2f}{blending(r):10.2f}{r['device_bytes'] / 1e6:8.0f}"
+                f"{shadow:12}{blend:18}{r['milliseconds']:8.2f}{f'{alone:.2f}' if alone is not None else '':>10}"
+                f"{r['device_bytes'] / 1e6:8.0f}"
                 f"{r['rms']:10.5f}{r['maximum']:10.3f}   {r['same_hash']} of {r['frames']}"
             )
     by_maps, by_layers = all_reports["occupancy order_weighted"], all_reports["occupancy depth_peeling"]

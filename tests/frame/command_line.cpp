@@ -265,6 +265,10 @@ TEST_CASE("an option that cannot be is refused in one line, and nothing is writt
   t.check_refused("--out a.png --bsdf marschner --beta 0.3,0.4", "--beta");
   for (const std::string physical : {"--eta 1.5", "--beta 0.2", "--tilt 3"})
     t.check_refused("--out a.png " + physical, "needs --bsdf marschner, chiang or dual_scattering");
+  for (const std::string spacing : {"0", "4", "nan"})
+    t.check_refused("--out a.png --device vulkan --shading-spacing " + spacing, "--shading-spacing: --device vulkan");
+  t.check_refused("--out a.png --device vulkan --bsdf chiang --shading-spacing inf", "pelage-frame: --device vulkan: ");
+  t.check_refused(tiny + "--out a.png --frames 1", "--frames needs --device vulkan");
 
   t.check_refused("--out a.png --unheard-of", "--unheard-of");
   t.check_refused("--out a.png stray", "stray");

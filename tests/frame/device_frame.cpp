@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,9 +54,9 @@ std::optional<device_frame> draw(const frame_settings& settings, std::uint32_t f
 }
 
 /// Why a frame is refused, or nothing.
-std::string refusal(const frame_settings& settings) {
+std::string refusal(const frame_settings& settings, const hair_model& model = small_hair()) {
   try {
-    (void)draw(settings);
+    (void)draw(settings, 1, model);
   } catch (const std::runtime_error& e) {
     return e.what();
   }
@@ -154,6 +153,18 @@ TEST_CASE("A slab's sum stops at its end: 128 opaque fragments make it 2^32, and
   CHECK(compare(got->picture, expected.picture).rms < 0.001);
 }
 
+TEST_CASE("A light so near, and a map so coarse, that a texel's disc is wider than its ray is long") {
+  frame_settings settings = small_frame(order_method::k_buffer, 4);
+  settings.map_size = 2;
+  settings.lights = {{light_kind::point, {0.0F, 0.0F, 1.05F}, glm::vec3(0.0F), glm::vec3(1.0F)}};
+  const std::optional<device_frame> got = draw(settings);
+  if (!got) return;
+  const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
+  const auto fragments = static_cast<double>(expected.passes.front().order.fragments);
+  CHECK(static_cast<double>(got->views.front().offered) == doctest::Approx(fragments).epsilon(0.002));
+  CHECK(compare(got->picture, expected.picture).rms < 0.001);
+}
+
 TEST_CASE("Light beyond the range of a pixel's sums is held to its end") {
   frame_settings settings = small_frame(order_method::k_buffer, 4);
   settings.shown = components::translucency;
@@ -178,6 +189,23 @@ TEST_CASE("All layers peeled are the picture of sorted lists") {
   const std::optional<device_frame> peeled = draw(settings);
   CHECK(peeled->hash == sorted->hash);
   CHECK(peeled->views.back().longest == sorted->views.back().longest);
+}
+
+TEST_CASE("More layers than a frame has room for are refused, and said to be depth peeling's") {
+  std::vector<std::vector<glm::vec3>> bars(2100, {{-1.0F, 0.0F, 0.0F}, {1.0F, 0.0F, 0.0F}});
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    for (glm::vec3& p : bars[i])
+      p.z = -1e-4F * static_cast<float>(i);
+  }
+  frame_settings settings;
+  settings.width = 8;
+  settings.height = 8;
+  settings.from = glm::vec2(0.0F);
+  settings.shown = components::single;
+  const hair_model model = model_of(bars, 0.1F, 0.01F);
+  if (!draw(settings, 1, model)) return;
+  settings.blend.method = blend_method::depth_peeling;
+  CHECK(refusal(settings, model).find("--blend depth_peeling: 2100 layers") != std::string::npos);
 }
 
 TEST_CASE("Occupancy maps shadow pixels made in any way") {

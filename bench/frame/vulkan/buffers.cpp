@@ -11,7 +11,7 @@
 namespace pelage::frame::vulkan {
 namespace {
 
-// As in shaders/raster.glsl.
+// As in shaders/scene.glsl.
 constexpr std::uint32_t begins_strand = 0x80000000U;
 constexpr std::uint32_t ends_strand = 0x40000000U;
 

@@ -8,7 +8,7 @@
 
 namespace pelage::frame::vulkan {
 
-/// The buffers of shaders/scene.glsl: there is what they hold.
+/// The buffers of the shaders: what they hold is said where they are declared, in shaders/*.glsl.
 enum binding : std::uint32_t {
   scene_buffer,
   point_buffer,
@@ -38,7 +38,10 @@ enum binding : std::uint32_t {
 
 /// The words of shaders/scene.glsl's report of a view.
 struct view_report {
-  std::uint32_t fragments, longest, refused, taken, stamps;
+  std::uint32_t fragments, longest, refused, taken, stamps, carries;
+
+  /// All of a word that carries.
+  [[nodiscard]] std::uint64_t with_carries(std::uint32_t word) const { return std::uint64_t{carries} << 32U | word; }
 };
 
 /// Uploads what does not change from frame to frame: the strands and the order of drawing them; without one, segments

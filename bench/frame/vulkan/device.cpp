@@ -83,12 +83,33 @@ void device::pick() {
       vk_.vkGetPhysicalDeviceProperties2(one, &all_properties);
       subgroup_ = subgroups.subgroupSize;
       // Mesa's lavapipe loses invocations at a barrier in a loop when a workgroup is larger than a subgroup.
-      workgroup_ = gpu ? 256 : 8;
+      workgroup_ = gpu ? 256 : subgroup_;
+      check_subgroups(subgroups);
       return;
     }
   }
   throw no_device(wanted.empty() ? "--device vulkan: there is no Vulkan 1.2 device"
                                  : fmt::format("--device vulkan: no device is called '{}'", wanted));
+}
+
+/// Throws for what the kernels cannot do without; a subgroup of any size up to 64 will do.
+void device::check_subgroups(const VkPhysicalDeviceSubgroupProperties& has) const {
+  constexpr VkSubgroupFeatureFlags needed = VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT |
+                                            VK_SUBGROUP_FEATURE_ARITHMETIC_BIT | VK_SUBGROUP_FEATURE_BALLOT_BIT |
+                                            VK_SUBGROUP_FEATURE_SHUFFLE_BIT;
+  if ((has.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) == 0 || (has.supportedOperations & needed) != needed) {
+    throw std::runtime_error("--device vulkan: " + name_ + " lacks subgroup vote, arithmetic, ballot or shuffle");
+  }
+  if (subgroup_ > 64) {  // the pixels of a block: shaders/opaque.comp
+    throw std::runtime_error(
+        fmt::format("--device vulkan: {} has subgroups of {} invocations, at most 64 will do", name_, subgroup_));
+  }
+  const std::uint32_t most =
+      std::min(properties_.limits.maxComputeWorkGroupInvocations, properties_.limits.maxComputeWorkGroupSize[0]);
+  if (most < workgroup_) {
+    throw std::runtime_error(fmt::format("--device vulkan: {} has workgroups of at most {} invocations, {} are needed",
+                                         name_, most, workgroup_));
+  }
 }
 
 void device::open() {

@@ -59,6 +59,7 @@ class device {
 
  private:
   void pick();
+  void check_subgroups(const VkPhysicalDeviceSubgroupProperties& has) const;
   void open();
   void make_layout();
   void close();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -16,12 +17,13 @@ glm::vec3 row(const glm::mat3& m, int i) {
 
 /// A ray that passes a point of a fibre's axis, z deep, at distance d passes it on the screen within d |u| scale / z,
 /// where u is the ray's direction; the pixel's disc is half a pixel wide where the ray is z deep, and d |u| / 2 z wider
-/// where it is nearest. So pixels within this times (radius in pixels + 1/2) are all that a fibre touches.
+/// where it is nearest. So pixels within this times (radius in pixels + 1/2) are all that a fibre touches;
+/// where a disc may be wider than the ray is long, all pixels.
 float reach_of(const view& v) {
   if (!v.perspective) return 1.001F;
   const glm::vec2 corner = (0.5F * glm::vec2(v.width, v.height) + 0.5F) / v.scale;
   const float slant = std::sqrt(1.0F + glm::dot(corner, corner));
-  return 1.001F * slant / (1.0F - 0.5F * slant * v.cone.slope);
+  return 1.001F * slant / std::max(1.0F - 0.5F * slant * v.cone.slope, 1e-6F);
 }
 
 /// Blocks of shaders/scene.glsl.

@@ -36,7 +36,7 @@ std::vector<device_frame::fragments> session::read_fragments() {
   device_.download(report_buffer, std::as_writable_bytes(std::span(last)));
   std::vector<device_frame::fragments> all;
   for (std::uint32_t v = first_view(); v <= camera(); ++v)
-    all.push_back({counted_[v].fragments, counted_[v].longest, last[v].refused});
+    all.push_back({counted_[v].with_carries(counted_[v].fragments), counted_[v].longest, last[v].refused});
   return all;
 }
 
@@ -114,13 +114,10 @@ void session::make_buffers() {
   if (links > 0xff000000U || entries > 0xffffffffU) {
     throw std::runtime_error("--device vulkan: the frame has more fragments than can be numbered");
   }
-  device_.resize(pool_buffer, std::uint64_t{capacity_} * 2 * sizeof(std::uint32_t));
   device_.resize(texel_buffer, (light_plan_.pool ? texels : 0) * 8 * sizeof(std::uint32_t));
   device_.resize(entry_buffer, (light_plan_.pool ? entries : 0) * 2 * sizeof(std::uint32_t));
   device_.resize(link_buffer, links * sizeof(std::uint32_t));
   device_.resize(slot_buffer, most * std::max(light_plan_.slots, camera_plan_.slots) * sizeof(std::uint64_t));
-  device_.resize(record_buffer,
-                 camera_plan_.records ? std::uint64_t{counted_[camera()].taken} * 4 * sizeof(std::uint32_t) : 0);
   tally();
   make_frame();
 }
@@ -156,21 +153,32 @@ void session::measure() {
 void session::make_room() {
   std::uint64_t stamps = 0;
   std::uint64_t places = 0;
+  std::uint64_t records = 0;
   for (std::uint32_t v = first_view(); v <= camera(); ++v) {
     const plan& p = plan_for(v);
     const view_report& most = counted_[v];
-    const bool follows = p.runs && !(p.records && v == camera());
-    if (follows) constants_.views[v].first_place = static_cast<std::uint32_t>(places);
-    places = std::max<std::uint64_t>(follows ? places + most.taken : places, most.taken);
-    if (!p.runs) continue;
+    const std::uint64_t taken = most.with_carries(most.taken);
+    if (!p.runs) {
+      places = std::max(places, taken);
+      continue;
+    }
+    if (p.records && v == camera()) {
+      records = taken;
+    } else {
+      constants_.views[v].first_place = static_cast<std::uint32_t>(places);
+      places += taken;
+    }
+    const std::uint64_t count = std::uint64_t{set_.fibres.segment_count()} + most.stamps;
     constants_.views[v].first_stamp = static_cast<std::uint32_t>(stamps);
-    constants_.views[v].stamp_count = set_.fibres.segment_count() + most.stamps;
-    stamps += constants_.views[v].stamp_count;
+    constants_.views[v].stamp_count = static_cast<std::uint32_t>(count);
+    stamps += count;
   }
-  if (std::max(stamps, places) > 0xffffffffU) {
+  if (std::max({stamps, places, records}) > 0xffffffffU) {
     throw std::runtime_error("--device vulkan: the frame has more fragments than can be numbered");
   }
-  capacity_ = static_cast<std::uint32_t>(places);
+  capacity_ = static_cast<std::uint32_t>(std::max(places, records));
+  device_.resize(pool_buffer, places * 2 * sizeof(std::uint32_t));
+  device_.resize(record_buffer, records * 4 * sizeof(std::uint32_t));
   device_.resize(stamp_buffer, stamps * 4 * sizeof(std::uint32_t));
   upload_constants();
 }
@@ -198,7 +206,12 @@ void session::finish(const view_range& views) {
     frame_.back().beside = true;
     frame_.back().pass = (frame_.end() - 2)->pass = "shade, background";
   }
-  for (std::uint32_t layer = 0; layer < (p.layer.empty() ? 0 : counted_[views.first].longest); ++layer)
+  const std::uint32_t layers = p.layer.empty() ? 0 : counted_[views.first].longest;
+  if (frame_.size() + layers * p.layer.size() + p.finish.size() > device::most_steps) {
+    throw std::runtime_error(
+        fmt::format("--device vulkan: --blend depth_peeling: {} layers are too many for a frame", layers));
+  }
+  for (std::uint32_t layer = 0; layer < layers; ++layer)
     run(frame_, views, p.layer);
   run(frame_, views, p.finish);
 }

@@ -16,9 +16,14 @@ void main() {
   const uint wanted = inside ? counts[pixel] : 0u;
   const uint before = subgroupExclusiveAdd(wanted);
   const uint sum = subgroupAdd(wanted);
+  uint carries = subgroupBallotBitCount(subgroupBallot(before + wanted < wanted));
   uint base = 0u;
   if (subgroupElect()) {
     base = atomicAdd(reports[this_view()].taken, sum);
+    carries += base + sum < sum ? 1u : 0u;
+    if (carries > 0u) {
+      atomicAdd(reports[this_view()].carries, carries);
+    }
   }
   const uint first = min(VIEW.first_place + subgroupBroadcastFirst(base) + before, push.capacity);
   const uint held = min(wanted, push.capacity - first);

@@ -82,6 +82,7 @@ void draw_stamp(stamp s) {
     }
   }
   draw_queued(s, first + min(gl_SubgroupInvocationID, max(queued, 1u) - 1u), gl_SubgroupInvocationID < queued);
+  subgroupBarrier();
 }
 
 /// Makes the segment that begins at a point this lane's.

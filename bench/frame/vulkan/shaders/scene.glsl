@@ -56,6 +56,7 @@ struct view_report {
   uint refused;    ///< that found no place
   uint taken;      ///< nodes or places of the pool in use
   uint stamps;     ///< beside the first of each segment
+  uint carries;    ///< multiples of 2^32 beyond taken, after a tally beyond fragments
 };
 
 layout(std140, binding = 0) uniform scene_block {

@@ -9,7 +9,10 @@ void main() {
   const ivec2 at = pixel_of(invocation());
   if (is_inside(at)) {
     const uint count = counts[VIEW.first_pixel + index_of(at)];
-    atomicAdd(reports[this_view()].fragments, count);
+    const uint before = atomicAdd(reports[this_view()].fragments, count);
+    if (before + count < count) {
+      atomicAdd(reports[this_view()].carries, 1u);
+    }
     atomicMax(reports[this_view()].longest, count);
   }
 }

@@ -24,10 +24,6 @@ struct stamp {
   uvec2 cells;  ///< a bit a pixel, row by row; 0: there is none
 };
 
-uint cell_count(stamp s) {
-  return uint(bitCount(s.cells.x) + bitCount(s.cells.y));
-}
-
 /// Takes the first of a stamp's cells out, of one that has any.
 uint take_cell(inout stamp s) {
   const bool low = s.cells.x != 0u;
