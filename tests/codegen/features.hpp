@@ -189,7 +189,7 @@ template <typename Real>
   return Real(x + y) * Real(n + 1) - Real(n < 0 ? x : y) * Real(2);
 }
 
-// clang-format off: two statements on a line.
+// clang-format off
 
 /// Copies: what they enclose stays together, and so do two signs; attributes and what only a compiler reads vanish.
 [[nodiscard]] inline float copies(const glm::vec3& a, const glm::vec3& b, turn t) noexcept {
