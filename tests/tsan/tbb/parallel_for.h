@@ -51,6 +51,7 @@ class blocked_range {
   blocked_range(Index begin, Index end, std::size_t grain = 1) : begin_(begin), end_(end), grain_(grain) {}
   [[nodiscard]] Index begin() const { return begin_; }
   [[nodiscard]] Index end() const { return end_; }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
   [[nodiscard]] std::size_t grainsize() const { return grain_; }
 
  private:
@@ -61,7 +62,7 @@ class blocked_range {
 /// Threads take blocks of an eighth of their share or of the grain, whichever is less, as they come.
 template <class Index, class Body>
 void parallel_for(const blocked_range<Index>& all, const Body& body) {
-  const auto count = static_cast<std::size_t>(all.end() - all.begin());
+  const std::size_t count = all.size();
   const std::size_t threads = global_control::limit;
   const std::size_t block = std::max<std::size_t>(1, std::min(all.grainsize(), count / (8 * threads)));
   std::atomic<std::size_t> next{0};
