@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "frame/frame.hpp"
+#include "frame/settings.hpp"
 
 namespace pelage::frame {
 

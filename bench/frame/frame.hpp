@@ -3,42 +3,15 @@
 #pragma once
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "frame/blends/blend_choice.hpp"
-#include "frame/hair_model.hpp"
-#include "frame/image.hpp"
-#include "frame/order_pass.hpp"
-#include "frame/shading.hpp"
-#include "frame/shadows/shadow_choice.hpp"
+#include "frame/image/image.hpp"
+#include "frame/model/hair_model.hpp"
+#include "frame/order/order_pass.hpp"
+#include "frame/settings.hpp"
 
 namespace pelage::frame {
-
-/// What to draw and how. A model and its settings determine the picture, bit for bit: neither the number of threads,
-/// nor the drawing order, nor the choice among k_buffer, a_buffer, ordered_list, atomic_k_buffer and
-/// two_pass_k_buffer changes it.
-struct frame_settings {
-  int width = 640;  ///< pixels, [1, 16384]
-  int height = 640;
-  int map_size = 0;  ///< texels a side of each light's map, [2, 16384]; 0: the picture's larger side, at most 2048
-  order_method order = order_method::k_buffer;
-  std::uint32_t k = 16;  ///< one of compiled_k
-  shadow_choice shadow;
-  blend_choice blend;
-  components shown = components::full;
-  fibre_look look;               ///< how fibres scatter light
-  float shading_spacing = 8.0F;  ///< pixels between the places of a segment that are shaded, [0, inf]; 0: each fragment
-  bool antialias = true;
-  std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera
-  float opacity = -1.0F;          ///< of all fibres, [0, 1]; negative: the model's own
-  float fibre_radius = -1.0F;     ///< of all fibres, length units, [0, inf); negative: the model's own
-  std::uint64_t shuffle = 0;      ///< seed of the drawing order; 0: the model's order
-  std::optional<glm::vec2> from;  ///< where the camera stands: azimuth from +z toward +x and elevation,
-                                  ///< degrees, elevation in (-90, 90); none: where the hair is seen best
-  bool on_bust = false;           ///< the opaque object is the built-in bust, not a sphere that fits
-};
 
 /// One pass over the fibres: a light's map or the camera's picture.
 struct pass_report {

@@ -15,12 +15,12 @@
 #include <string>
 #include <utility>
 
-#include "frame/built_in.hpp"
+#include "frame/base/output_file.hpp"
 #include "frame/command_line.hpp"
-#include "frame/follow_strands.hpp"
 #include "frame/frame.hpp"
-#include "frame/load_model.hpp"
-#include "frame/output_file.hpp"
+#include "frame/model/built_in.hpp"
+#include "frame/model/follow_strands.hpp"
+#include "frame/model/load_model.hpp"
 #include "frame/vulkan/device_frame.hpp"
 
 namespace {

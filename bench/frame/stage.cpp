@@ -7,8 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "frame/bust.hpp"
-#include "frame/random.hpp"
+#include "frame/base/random.hpp"
+#include "frame/model/bust.hpp"
 
 namespace pelage::frame {
 namespace {

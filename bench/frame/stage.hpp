@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "frame/frame.hpp"
-#include "frame/lights.hpp"
-#include "frame/solids.hpp"
-#include "frame/strands.hpp"
-#include "frame/view.hpp"
+#include "frame/model/hair_model.hpp"
+#include "frame/model/strands.hpp"
+#include "frame/scene/lights.hpp"
+#include "frame/scene/solids.hpp"
+#include "frame/scene/view.hpp"
+#include "frame/settings.hpp"
 
 namespace pelage::frame {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
-#include "frame/strands.hpp"
+#include "frame/model/strands.hpp"
 #include "quality/lists.hpp"
 
 namespace pelage::frame {

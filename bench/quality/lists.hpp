@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "frame/order_pass.hpp"
+#include "frame/order/order_pass.hpp"
 
 namespace pelage::frame {
 

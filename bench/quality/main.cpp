@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "frame/built_in.hpp"
-#include "frame/load_model.hpp"
-#include "frame/opaque_depth.hpp"
-#include "frame/output_file.hpp"
+#include "frame/base/output_file.hpp"
+#include "frame/model/built_in.hpp"
+#include "frame/model/load_model.hpp"
+#include "frame/scene/opaque_depth.hpp"
 #include "frame/stage.hpp"
 #include "quality/blending.hpp"
 #include "quality/visibility.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Any bytes as a .hair file: refused with an error, or read as a sound model that is written and read back the same.
-#include "frame/hair_file.hpp"
+#include "frame/model/hair_file.hpp"
 
 #include "model.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "../input.hpp"
-#include "frame/hair_model.hpp"
+#include "frame/model/hair_model.hpp"
 
 #include <cmath>
 #include <cstddef>

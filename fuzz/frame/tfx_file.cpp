@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Any bytes as a .tfx file: refused with an error, or read as a sound model.
-#include "frame/tfx_file.hpp"
+#include "frame/model/tfx_file.hpp"
 
 #include "model.hpp"
 

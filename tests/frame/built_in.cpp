@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/built_in.hpp"
+#include "frame/model/built_in.hpp"
 
 #include "property.hpp"
 

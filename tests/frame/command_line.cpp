@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
 
-#include "frame/built_in.hpp"
+#include "frame/base/output_file.hpp"
 #include "frame/fibres.hpp"
-#include "frame/hair_file.hpp"
-#include "frame/image.hpp"
-#include "frame/output_file.hpp"
+#include "frame/image/image.hpp"
+#include "frame/model/built_in.hpp"
+#include "frame/model/hair_file.hpp"
 #include "frame/scratch_folder.hpp"
 
 #include <algorithm>

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "frame/built_in.hpp"
 #include "frame/fibres.hpp"
+#include "frame/model/built_in.hpp"
 
 namespace pelage::test {
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/fibre_bsdf.hpp"
+#include "frame/shading/fibre_bsdf.hpp"
 
 #include <pelage/bsdf/dual_scattering_table.hpp>
 #include <pelage/bsdf/kajiya_kay.hpp>

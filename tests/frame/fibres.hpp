@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "frame/draws.hpp"
-#include "frame/hair_model.hpp"
-#include "frame/raster.hpp"
-#include "frame/strands.hpp"
-#include "frame/view.hpp"
+#include "frame/model/hair_model.hpp"
+#include "frame/model/strands.hpp"
+#include "frame/raster/raster.hpp"
+#include "frame/scene/view.hpp"
 #include "property.hpp"
 
 #include <tbb/global_control.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/frame.hpp"
 
-#include "frame/built_in.hpp"
 #include "frame/fibres.hpp"
+#include "frame/model/built_in.hpp"
 
 #include <algorithm>
 #include <cstdint>

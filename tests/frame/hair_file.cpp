@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/hair_file.hpp"
+#include "frame/model/hair_file.hpp"
 
+#include "frame/base/output_file.hpp"
 #include "frame/draws.hpp"
-#include "frame/output_file.hpp"
 #include "property.hpp"
 
 #include <bit>
@@ -82,9 +82,8 @@ hair_model read(bytes file) {
 
 bool same(const hair_model& a, const hair_model& b) {
   return a.points == b.points && a.first_point == b.first_point && a.thickness == b.thickness &&
-         a.transparency == b.transparency && a.colour == b.colour &&
-         a.default_thickness == b.default_thickness && a.default_transparency == b.default_transparency &&
-         a.default_colour == b.default_colour;
+         a.transparency == b.transparency && a.colour == b.colour && a.default_thickness == b.default_thickness &&
+         a.default_transparency == b.default_transparency && a.default_colour == b.default_colour;
 }
 
 bool obeys_its_contract(const hair_model& model) {

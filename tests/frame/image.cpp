@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/image.hpp"
+#include "frame/image/image.hpp"
 
-#include "frame/input_file.hpp"
-#include "frame/output_file.hpp"
+#include "frame/base/input_file.hpp"
+#include "frame/base/output_file.hpp"
 #include "frame/scratch_folder.hpp"
 #include "property.hpp"
 
@@ -81,8 +81,7 @@ TEST_CASE("a picture that cannot be saved leaves no file, and an older file as i
   const fs::path path = folder.path / "a.png";
   image bad(3, 2);
   bad.at(2, 1).g = not_a_number;
-  CHECK_THROWS_WITH_AS(save_png(path, bad), (path.string() + ": pixel 2, 1 is not finite").c_str(),
-                       std::runtime_error);
+  CHECK_THROWS_WITH_AS(save_png(path, bad), (path.string() + ": pixel 2, 1 is not finite").c_str(), std::runtime_error);
   CHECK_THROWS_AS(save_png(path, image()), std::runtime_error);
   CHECK(folder.entries() == 0);
 
@@ -157,8 +156,7 @@ TEST_CASE("comparing gives the known difference of known pictures") {
   CHECK_THROWS_AS(static_cast<void>(compare(black, image(1, 2))), std::invalid_argument);
 }
 
-TEST_CASE(
-    "an error map is black where pictures agree, white at full scale, and its ramp rises in luminance") {
+TEST_CASE("an error map is black where pictures agree, white at full scale, and its ramp rises in luminance") {
   const image black(2, 1);
   image other(2, 1);
   other.at(1, 0).g = decode_srgb(51);

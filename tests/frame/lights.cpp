@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/lights.hpp"
+#include "frame/scene/lights.hpp"
 
 #include "frame/fibres.hpp"
 

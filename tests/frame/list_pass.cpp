@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/list_pass.hpp"
+#include "frame/order/list_pass.hpp"
 
 #include "frame/fibres.hpp"
+#include "frame/raster/sweep.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // Whole frames by every method of shadows and of blending.
-#include "frame/built_in.hpp"
 #include "frame/fibres.hpp"
 #include "frame/frame.hpp"
+#include "frame/model/built_in.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/occluder.hpp"
+#include "frame/raster/occluder.hpp"
 
 #include "frame/fibres.hpp"
-#include "frame/opaque_depth.hpp"
+#include "frame/raster/sweep.hpp"
+#include "frame/scene/opaque_depth.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,11 +1,12 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/order_pass.hpp"
+#include "frame/order/order_pass.hpp"
 
 #include <pelage/core/fragment.hpp>
 
-#include "frame/built_in.hpp"
 #include "frame/fibres.hpp"
+#include "frame/model/built_in.hpp"
+#include "frame/raster/sweep.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/output_file.hpp"
+#include "frame/base/output_file.hpp"
 
 #include "frame/scratch_folder.hpp"
 #include "property.hpp"
@@ -18,7 +18,9 @@ namespace pelage::test {
 using namespace frame;
 namespace fs = std::filesystem;
 
-std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text));
+}
 
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

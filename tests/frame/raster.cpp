@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/raster.hpp"
+#include "frame/raster/sweep.hpp"
 
 #include "frame/fibres.hpp"
 

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/shaded_fibres.hpp"
+#include "frame/shading/shaded_fibres.hpp"
 
 #include "frame/fibres.hpp"
+#include "frame/raster/sweep.hpp"
 #include "frame/shadows/k_buffer_shadow.hpp"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/solids.hpp"
+#include "frame/scene/solids.hpp"
 
+#include "frame/base/random.hpp"
 #include "frame/fibres.hpp"
-#include "frame/random.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/tfx_file.hpp"
+#include "frame/model/tfx_file.hpp"
 
-#include "frame/follow_strands.hpp"
+#include "frame/model/follow_strands.hpp"
 #include "property.hpp"
 
 #include <algorithm>
@@ -205,8 +205,8 @@ TEST_CASE("follow strands keep within the radius of their guide and have its poi
         const std::size_t p = model.first_point[s] + i;
         float nearest = std::numeric_limits<float>::max();
         for (std::uint32_t k = 0; k + 1 < vertices; ++k) {
-          nearest = std::min(nearest, distance_to_segment(model.points[p], guides.points[guide + k],
-                                                          guides.points[guide + k + 1]));
+          nearest = std::min(
+              nearest, distance_to_segment(model.points[p], guides.points[guide + k], guides.points[guide + k + 1]));
         }
         RC_ASSERT(nearest <= radius + 1e-5F);
         if (s % (n + 1) == 0) RC_ASSERT(model.points[p] == guides.points[guide + i]);

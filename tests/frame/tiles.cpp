@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/tiles.hpp"
+#include "frame/order/tiles.hpp"
 
-#include "frame/built_in.hpp"
 #include "frame/fibres.hpp"
-#include "frame/occluder.hpp"
+#include "frame/model/built_in.hpp"
+#include "frame/raster/occluder.hpp"
+#include "frame/raster/sweep.hpp"
 
 #include <algorithm>
 #include <cstdint>

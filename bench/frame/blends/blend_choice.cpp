@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "frame/base/compiled_sizes.hpp"
+#include "frame/base/method_text.hpp"
 #include "frame/blends/unordered.hpp"
-#include "frame/compiled_sizes.hpp"
-#include "frame/list_pass.hpp"
-#include "frame/method_text.hpp"
+#include "frame/order/list_pass.hpp"
 
 namespace pelage::frame {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "frame/order_pass.hpp"
-#include "frame/shading.hpp"
+#include "frame/order/order_pass.hpp"
+#include "frame/shading/camera_film.hpp"
 
 namespace pelage::frame {
 

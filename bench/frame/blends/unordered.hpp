@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include "frame/layer.hpp"
+#include "frame/order/layer.hpp"
 
 namespace pelage::frame {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "frame/array_pool.hpp"
+#include "frame/base/array_pool.hpp"
 #include "frame/shadows/list_shadow.hpp"
 
 namespace pelage::frame {

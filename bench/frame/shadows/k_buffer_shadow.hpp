@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "frame/array_pool.hpp"
-#include "frame/order_pass.hpp"
-#include "frame/shadow_map.hpp"
+#include "frame/base/array_pool.hpp"
+#include "frame/order/order_pass.hpp"
+#include "frame/shadows/shadow_map.hpp"
 
 namespace pelage::frame {
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "frame/list_pass.hpp"
+#include "frame/order/list_pass.hpp"
 
 namespace pelage::frame {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "frame/list_pass.hpp"
-#include "frame/shadow_map.hpp"
+#include "frame/order/list_pass.hpp"
+#include "frame/shadows/shadow_map.hpp"
 
 namespace pelage::frame {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "frame/compiled_sizes.hpp"
-#include "frame/method_text.hpp"
+#include "frame/base/compiled_sizes.hpp"
+#include "frame/base/method_text.hpp"
 #include "frame/shadows/deep_shadow.hpp"
 #include "frame/shadows/k_buffer_shadow.hpp"
 #include "frame/shadows/layered_shadow.hpp"

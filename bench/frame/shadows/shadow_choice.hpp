@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "frame/order_pass.hpp"
-#include "frame/shadow_map.hpp"
+#include "frame/order/order_pass.hpp"
+#include "frame/shadows/shadow_map.hpp"
 
 namespace pelage::frame {
 

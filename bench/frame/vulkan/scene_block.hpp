@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "frame/frame.hpp"
+#include "frame/settings.hpp"
 #include "frame/stage.hpp"
 
 namespace pelage::frame::vulkan {

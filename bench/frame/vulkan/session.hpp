@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/image.hpp"
+#include "frame/image/image.hpp"
 #include "frame/stage.hpp"
 #include "frame/vulkan/buffers.hpp"
 #include "frame/vulkan/device.hpp"

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/core/fragment.hpp>
+#include <pelage/core/lane_moves.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "frame/base/compiled_sizes.hpp"
+#include "frame/order/order_pass.hpp"
+#include "frame/raster/sweep.hpp"
+
+/// What the methods of an order pass share. For order_pass.cpp and the methods' own files.
+namespace pelage::frame {
+
+class stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// One pass: where the fragments come from and where they go.
+struct order_job {
+  const raster& from;
+  std::span<const float> limit;
+  std::span<const std::uint32_t> drawing_order;
+  pixel_visitor& visitor;
+  order_report report;
+
+  [[nodiscard]] std::size_t pixel(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(from.from().width) + static_cast<std::size_t>(x);
+  }
+  [[nodiscard]] std::size_t pixels() const { return pixel(0, from.from().height); }
+
+  /// Calls `visit(segment, x, y, touch)` for the segments' fragments in `clip` that nothing opaque hides.
+  template <class Visit>
+  void for_each_visible(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const {
+    from.for_each(segments, clip, [&](std::uint32_t segment, int x, int y, const touch& t) {
+      if (limit.empty() || !(t.depth >= limit[pixel(x, y)])) visit(segment, x, y, t);
+    });
+  }
+
+  /// Calls `visit(touches)` for the same.
+  template <class Visit>
+  void for_each_visible_lanes(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const {
+    from.for_each_lanes(segments, clip, [&](raster::touches found) {
+      if (!limit.empty()) {
+        const auto inside = found.y * from.from().width + found.x;
+        const auto here = gathered<raster::width>(limit.data(), found.is_set() ? inside : inside - inside);
+        found.set &= ~bits(lane_mask<raster::width>{found.depth.lane >= here.lane});
+        if (found.set == 0) return;
+      }
+      visit(found);
+    });
+  }
+
+  /// Calls `visit(x, y, fragment)` for all fragments in no order, from all threads.
+  template <class Visit>
+  void for_each_fragment(Visit&& visit) const {
+    const tbb::blocked_range<std::uint32_t> all(0, from.fibres().segment_count(), 4096);
+    const pixel_rect whole{0, 0, from.from().width, from.from().height};
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::uint32_t>& some) {
+      std::vector<std::uint32_t> segments(some.size());
+      std::iota(segments.begin(), segments.end(), some.begin());
+      if (!drawing_order.empty()) {
+        std::copy_n(drawing_order.begin() + some.begin(), some.size(), segments.begin());
+      }
+      for_each_visible(segments, whole, [&](std::uint32_t segment, int x, int y, const touch& t) {
+        visit(x, y, fragment{t.depth, segment});
+      });
+    });
+  }
+
+  template <class Visit>
+  void for_each_pixel(Visit&& visit) const {
+    tbb::parallel_for(0, from.from().height, [&](int y) {
+      for (int x = 0; x < from.from().width; ++x)
+        visit(x, y);
+    });
+  }
+};
+
+/// A pixel whose fragments are known by depth and id alone: finds them again and hands them to the visitor.
+class pixel_resolver {
+ public:
+  std::vector<fragment> nearest;  ///< in order
+  std::vector<fragment> lost;     ///< in none
+
+  /// Empties both lists for the next pixel.
+  void finish(const order_job& work, int x, int y) {
+    tail behind = empty_tail();
+    if (!lost.empty()) work.visitor.lose(x, y, look_up(work, x, y, lost), behind);
+    work.visitor.finish(x, y, look_up(work, x, y, nearest), behind);
+    nearest.clear();
+    lost.clear();
+  }
+
+ private:
+  std::span<const seen_fragment> look_up(const order_job& work, int x, int y, std::span<const fragment> all) {
+    seen_.clear();
+    for (const fragment& f : all)
+      seen_.push_back({f.id, work.from.at(f.id, x, y)});
+    return seen_;
+  }
+
+  std::vector<seen_fragment> seen_;
+};
+
+/// Calls `run` with K as a std::integral_constant. Throws std::invalid_argument for one that is not compiled.
+template <class Run>
+void with_compiled_k(std::uint32_t k, Run&& run) {
+  const auto constant = [&]<std::uint32_t K>() { run(std::integral_constant<std::uint32_t, K>{}); };
+  if (!with_compiled_size<compiled_k>(k, constant)) {
+    throw std::invalid_argument("k must be one of 1, 2, 4, 8, 16, 32, 64");
+  }
+}
+
+}  // namespace pelage::frame

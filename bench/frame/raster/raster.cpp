@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/raster/raster.hpp"
+
+#include <pelage/coverage/segment_quad.hpp>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pelage::frame {
+float screen_stretch(const view& from) {
+  if (!from.perspective) return 1.0F;
+  const float steepest = glm::length(glm::vec3(from.ray({0.0F, 0.0F}).direction));
+  return from.cone.slope < 1.0F ? steepest / (1.0F - from.cone.slope) : std::numeric_limits<float>::infinity();
+}
+
+raster::raster(const strands& fibres, const view& from, bool antialias)
+    : fibres_(fibres), view_(from), antialias_(antialias), stretch_(screen_stretch(from)), point_(fibres.point.size()) {
+  const std::size_t count = point_.size();
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    const glm::vec3 position = view_.to_view(fibres_.point[i]);
+    const glm::vec2 pixel = view_.to_pixel(position);
+    point_[i] = {position.x, position.y, position.z, fibres_.radius[i], pixel.x, pixel.y, 0.0F, 0.0F};
+  });
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    const bool has_before = (fibres_.end_of[i] & strands::first) == 0;
+    const bool has_after = (fibres_.end_of[i] & strands::last) == 0;
+    const glm::vec2 joint = pixel_of(point_[has_after ? i + 1 : i]) - pixel_of(point_[has_before ? i - 1 : i]);
+    point_[i].joint_x = joint.x;
+    point_[i].joint_y = joint.y;
+  });
+}
+
+pixel_rect raster::bounds(std::uint32_t segment) const {
+  const std::uint32_t i = fibres_.segment[segment];
+  const outline<float> near = outline_of(point_[i], point_[i + 1], view_, stretch_);
+  const outline<float> found = near.fails > 0.0F ? wide_outline_of(segment) : near;
+  return {static_cast<int>(found.x0), static_cast<int>(found.y0), static_cast<int>(found.x1),
+          static_cast<int>(found.y1)};
+}
+
+outline<float> raster::wide_outline_of(std::uint32_t segment) const {
+  constexpr float margin = 0.75F;  // a disc reaches half a pixel beyond the fibre; the rest is for rounding
+  const std::uint32_t i = fibres_.segment[segment];
+  const float radius = std::max(point_[i].radius, point_[i + 1].radius);
+  const segment_quad<float> quad =
+      expand_segment(position_of(point_[i]), position_of(point_[i + 1]), radius, view_.cone, view_.near_plane, margin);
+  if (!quad.visible) return {0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, any_distance, 0.0F};
+  const glm::vec2 size(static_cast<float>(view_.width), static_cast<float>(view_.height));
+  glm::vec2 lower(std::numeric_limits<float>::infinity());
+  glm::vec2 upper = -lower;
+  for (const glm::vec3& corner : quad.corner) {
+    if (view_.perspective && !(-corner.z >= view_.near_plane)) {
+      return {0.0F, 0.0F, size.x, size.y, 0.0F, 0.0F, 0.0F, any_distance, 0.0F};
+    }
+    lower = glm::min(lower, view_.to_pixel(corner));
+    upper = glm::max(upper, view_.to_pixel(corner));
+  }
+  return {first_centre_from(lower.x, 0.0F, size.x),
+          first_centre_from(lower.y, 0.0F, size.y),
+          first_centre_from(upper.x, 0.0F, size.x),
+          first_centre_from(upper.y, 0.0F, size.y),
+          0.0F,
+          0.0F,
+          0.0F,
+          any_distance,
+          0.0F};
+}
+
+}  // namespace pelage::frame

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/core/lanes.hpp>
+#include <pelage/coverage/closest_points.hpp>
+#include <pelage/coverage/disc_strip.hpp>
+
+#include <glm/glm.hpp>
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "frame/model/strands.hpp"
+#include "frame/raster/outline.hpp"
+#include "frame/scene/view.hpp"
+
+namespace pelage::frame {
+
+/// What a segment leaves in a pixel.
+struct touch {
+  float depth;     ///< view depth of the point of the pixel's ray nearest to the fibre's axis
+  float coverage;  ///< share of the pixel's disc, [0, 1]; 0: the segment is not in this pixel
+  float along;     ///< position on the segment, [0, 1]
+};
+
+/// As many touches as the lanes whose bit is set, each with the segment that leaves it and the pixel.
+template <int W>
+struct touch_lanes {
+  std::uint32_t set;
+  typename lanes<W>::integers segment, x, y;
+  lanes<W> depth, coverage, along;
+
+  /// A mask of the same bits.
+  [[nodiscard]] typename lanes<W>::integers is_set() const {
+    typename lanes<W>::integers number;
+    for (int k = 0; k < W; ++k)
+      number[k] = k;
+    return ((static_cast<int>(set) >> number) & 1) != 0;
+  }
+};
+
+/// Calls `visit(k, segment, x, y, touch)` for each lane whose bit is set.
+template <int W, class Visit>
+void for_each_touch(const touch_lanes<W>& all, Visit&& visit) {
+  float depth[W];
+  float coverage[W];
+  float along[W];
+  all.depth.store(depth);
+  all.coverage.store(coverage);
+  all.along.store(along);
+  for (std::uint32_t left = all.set; left != 0; left &= left - 1U) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    visit(k, static_cast<std::uint32_t>(all.segment[k]), all.x[k], all.y[k], touch{depth[k], coverage[k], along[k]});
+  }
+}
+
+/// All strands as one view sees them, and the fragments that they leave in its pixels. The same question asked
+/// twice gives the same bits, so that a fragment's depth and coverage need not be kept: its id finds them again.
+///
+/// Where two segments of a strand meet, the line through the joint at right angles to the strand divides the pixels
+/// between them, so that none is counted twice. Beside segments that cross the near plane the line is an estimate.
+class raster {
+ public:
+  static constexpr int width = lane_width();
+  using touches = touch_lanes<width>;
+
+  /// `antialias` off: a pixel is covered whole if the axis crosses its disc or the fibre its centre, else not at all.
+  /// Both references must outlive the raster. O(points), parallel.
+  raster(const strands& fibres, const view& from, bool antialias);
+
+  /// The fragment of a segment in a pixel of the view.
+  [[nodiscard]] touch at(std::uint32_t segment, int x, int y) const;
+
+  // The bodies of what visits many pixels stand in sweep.hpp.
+
+  /// Calls `visit(touches)` until every pixel of `clip` is told that a segment covers in part: segment by segment, each
+  /// row by row. The fastest way: pixels of many segments go through the kernels together.
+  template <class Visit>
+  void for_each_lanes(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const;
+
+  /// Calls `visit(segment, x, y, touch)` for each of the same.
+  template <class Visit>
+  void for_each(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const;
+
+  /// Calls `visit(x, y, touch)` for those of one segment.
+  template <class Visit>
+  void for_each(std::uint32_t segment, const pixel_rect& clip, Visit&& visit) const {
+    for_each(std::span(&segment, 1), clip, [&](std::uint32_t, int x, int y, const touch& t) { visit(x, y, t); });
+  }
+
+  /// The pixels of the view that the segment may touch; empty (x0 >= x1 or y0 >= y1) when there are none.
+  [[nodiscard]] pixel_rect bounds(std::uint32_t segment) const;
+
+  /// Calls `visit(segment, bounds)` for segments [begin, end).
+  template <class Visit>
+  void for_each_bounds(std::uint32_t begin, std::uint32_t end, Visit&& visit) const;
+
+  /// A view depth that none of the segment's fragments lies before, rounding apart.
+  [[nodiscard]] float nearest_depth(std::uint32_t segment) const;
+
+  /// From end to end in pixels; an end nearer than the near plane is taken to lie on it.
+  [[nodiscard]] float length_on_screen(std::uint32_t segment) const {
+    const std::uint32_t i = fibres_.segment[segment];
+    return glm::length(pixel_of(point_[i + 1]) - pixel_of(point_[i]));
+  }
+
+  [[nodiscard]] const strands& fibres() const { return fibres_; }
+  [[nodiscard]] const view& from() const { return view_; }
+
+  /// Position, or any other per-point value, at a place on a segment.
+  template <class T>
+  [[nodiscard]] T mix(const big_array<T>& value, std::uint32_t segment, float along) const {
+    return fibres_.mix(value, segment, along);
+  }
+
+ private:
+  class sweep;
+  using projected = projected_point<float>;
+
+  [[nodiscard]] static glm::vec3 position_of(const projected& p) { return {p.x, p.y, p.z}; }
+  [[nodiscard]] static glm::vec2 pixel_of(const projected& p) { return {p.pixel_x, p.pixel_y}; }
+  [[nodiscard]] static glm::vec2 joint_of(const projected& p) { return {p.joint_x, p.joint_y}; }
+
+  /// The outline of a segment that reaches past the near plane or far beyond the view: a box or the whole view.
+  [[nodiscard]] outline<float> wide_outline_of(std::uint32_t segment) const;
+
+  const strands& fibres_;
+  const view& view_;
+  bool antialias_;
+  float stretch_;
+  big_array<projected> point_;
+};
+
+// ---------------------------------------------------------------------------------------------------------
+
+// A fragment's depth is that of a point on the pixel's ray, which the fibre and the pixel's disc there reach.
+inline float raster::nearest_depth(std::uint32_t segment) const {
+  const std::uint32_t i = fibres_.segment[segment];
+  const projected& a = point_[i];
+  const projected& b = point_[i + 1];
+  const float reach = std::max(a.radius, b.radius) + view_.cone.base;
+  return (-std::max(a.z, b.z) - reach) / (1.0F + view_.cone.slope);
+}
+
+inline touch raster::at(std::uint32_t segment, int x, int y) const {
+  const std::uint32_t i = fibres_.segment[segment];
+  const projected& a = point_[i];
+  const projected& b = point_[i + 1];
+  const glm::vec2 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+  const bool behind_start = glm::dot(centre - pixel_of(a), joint_of(a)) < 0.0F;
+  const bool before_end = glm::dot(centre - pixel_of(b), joint_of(b)) < 0.0F;
+  if (behind_start || !before_end) {
+    const bool seen_end_on = joint_of(a) == glm::vec2(0.0F) && joint_of(b) == glm::vec2(0.0F);
+    if (!seen_end_on) return touch{0.0F, 0.0F, 0.0F};
+  }
+
+  const view_ray ray = view_.ray(centre);
+  const closest_pair<float> pair = closest_points(ray.origin, ray.direction, position_of(a), position_of(b));
+  const float disc = radius_at(view_.cone, pair.along_ray);
+  const float radius = a.radius + pair.along_segment * (b.radius - a.radius);
+  const float share = antialias_ ? disc_strip_share(pair.distance, radius, disc)
+                                 : (pair.distance <= std::max(radius, disc) ? 1.0F : 0.0F);
+  const float axis_depth = -(a.z + pair.along_segment * (b.z - a.z));
+  const bool in_front = std::min(pair.along_ray, axis_depth) >= view_.near_plane;
+  return touch{pair.along_ray, in_front ? share : 0.0F, pair.along_segment};
+}
+
+}  // namespace pelage::frame

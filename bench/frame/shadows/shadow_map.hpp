@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glm/glm.hpp>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "frame/base/wide.hpp"
+#include "frame/order/seen_lanes.hpp"
+#include "frame/raster/raster.hpp"
+#include "frame/scene/opaque_depth.hpp"
+
+namespace pelage::frame {
+
+/// What light has met on its way; to as many places as Real has lanes.
+template <class Real>
+struct passage_of {
+  Real transmittance;  ///< the share that arrives, [0, open]
+  Real fibres;         ///< fibres passed, each counted by the share of the texel that it covers, [0, 4096)
+  Real open;           ///< the share that no opaque object stops, [0, 1]
+};
+using passage = passage_of<float>;
+
+/// What passes from a light to any point. What a texel keeps of its fibres is up to the method, shadows/; all share
+/// where a point is looked up, the depth of the nearest opaque object, and how many fibres an optical depth stands for.
+class shadow_map {
+ public:
+  /// `from`'s fibres must outlive the map. `translucent` off: fibres are opaque.
+  shadow_map(const raster& from, const solids& opaque, bool translucent);
+  virtual ~shadow_map() = default;
+
+  /// The share of the light that reaches a world position, [0, 1]: the mean of the four nearest texels, weighted
+  /// bilinearly. What lies less than `bias` before the position does not count; nor does anything outside the map.
+  [[nodiscard]] float transmittance_to(const glm::vec3& world, float bias) const;
+
+  /// The same with the number of fibres in the way and what opaque objects leave. The number is the texel's sum of
+  /// coverages in proportion to the optical depth: exact behind the last fibre, and wherever all are alike; 0 where
+  /// none stops light. Behind an opaque object it is that of all fibres before the object.
+  [[nodiscard]] passage passed_to(const glm::vec3& world, float bias) const;
+
+  /// Where positions are looked up, as many as there are lanes.
+  struct spots {
+    std::array<std::uint32_t, wide_width> first;  ///< the upper left of four texels
+    std::uint32_t inside;                         ///< the bits of the positions that lie in the map
+    wide across, down;                            ///< where between the texels' centres, [0, 1]
+    wide depth;
+  };
+
+  /// Of the positions whose bits are set.
+  [[nodiscard]] spots find(const wide3& world, wide bias, std::uint32_t set) const;
+
+  /// Asks the processor to load what passed_to() will read. What lies behind a pointer needs two steps: call it for
+  /// many positions with step 0, then for all of them with step 1.
+  void prefetch(const spots& at, int step) const;
+
+  /// Each lane has the bits that its position has alone; as outside the map where it was not set.
+  [[nodiscard]] passage_of<wide> passed_to(const spots& at) const;
+
+  /// View depth of the nearest opaque object in each texel, +inf where there is none.
+  [[nodiscard]] std::span<const float> limit() const { return limit_; }
+
+  /// Memory of the whole map.
+  [[nodiscard]] std::uint64_t bytes() const;
+
+  /// A texel's width at a world position, length units.
+  template <class Real>
+  [[nodiscard]] Real texel_at(const glm::vec<3, Real>& world) const;
+
+ protected:
+  /// Optical depth of the fibres before a view depth, units of 2⁻²⁰ octaves, [0, 2³²]. Never falls as depth grows.
+  [[nodiscard]] virtual float optical_before(std::size_t texel, float depth) const = 0;
+  [[nodiscard]] virtual std::uint64_t texel_bytes() const = 0;
+
+  /// The part of prefetch() for a texel and the next.
+  virtual void prefetch_texels(std::size_t texel, int step) const {
+    (void)texel;
+    (void)step;
+  }
+
+  /// A fragment's opacity times coverage.
+  [[nodiscard]] float alpha(std::uint32_t segment, const touch& where) const;
+  [[nodiscard]] seen_lanes::pack alpha(const seen_lanes& all) const;
+
+  /// Says once what all fragments of a texel sum up to. `coverage`: in units of 2⁻²⁰.
+  void set_sums(std::size_t texel, std::uint32_t coverage, std::uint32_t optical);
+
+  [[nodiscard]] std::size_t texels() const { return limit_.size(); }
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(light_.width) + static_cast<std::size_t>(x);
+  }
+
+ private:
+  /// What light passes to each spot in one of its four texels: transmittance, fibres, open.
+  [[nodiscard]] wide3 passed_in(const spots& at, std::size_t offset) const;
+
+  const strands& fibres_;
+  view light_;
+  bool translucent_;
+  std::vector<float> limit_;
+  std::vector<float> fibres_per_octave_;
+};
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <class Real>
+Real shadow_map::texel_at(const glm::vec<3, Real>& world) const {
+  const Real depth = Real(0.0F) - light_.to_view(world).z;
+  return Real(2.0F) * (Real(light_.cone.base) + Real(light_.cone.slope) * greatest(depth, Real(0.0F)));
+}
+
+}  // namespace pelage::frame
