@@ -13,7 +13,7 @@ namespace {
 /// What a function's result is: a float, a vector of floats, a count of bits of a 32-bit word, or anything else.
 enum class result_kind { scalar, vector, bits, other };
 
-/// A call written in GLSL: {0}, {1} and {2} are its arguments, {3}, {4} and {5} likewise, in parentheses if need be.
+/// A call written in GLSL: {0}, {1} and {2} are its arguments, {3}, {4} and {5} the same, in parentheses if need be.
 struct form {
   const char* function;
   result_kind of;

@@ -27,7 +27,7 @@ void check_any(float alpha, float other) {
   const std::uint32_t depth = optical_depth(alpha);
   const std::uint32_t other_depth = optical_depth(other);
   fuzz::law(depth <= 32u << 20u, "one fragment counts at most 32 octaves");
-  // fast_log2 rises but for its error, which is at most 1.5e-7 of 32 octaves, that is 6 units, both ways.
+  // fast_log2 rises except for its error, which is at most 1.5e-7 of 32 octaves, that is 6 units, both ways.
   fuzz::law(!(alpha < other) || depth <= other_depth + 11u, "more opacity, more optical depth");
   const float passes = transmittance_of(depth);
   fuzz::law(passes >= 0.0f && passes <= 1.0f, "an optical depth's transmittance is in [0, 1]");

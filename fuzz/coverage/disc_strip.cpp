@@ -21,7 +21,7 @@ void check(float offset, float radius, float other_radius, float disc) {
   const float other = disc_strip_share(offset, other_radius, disc);
   const float thin = radius < other_radius ? share : other;
   const float wide = radius < other_radius ? other : share;
-  // "Never falls when the fibre grows but for that error", the error being 1e-6 of either share, where it is normal.
+  // "Never falls when the fibre grows, save by that error", the error being 1e-6 of either share, where it is normal.
   const bool comparable = radius >= 0.0f && other_radius >= 0.0f;
   fuzz::law(!comparable || thin <= wide * 1.000003f + 4.0f * std::numeric_limits<float>::min(),
             "a wider fibre covers no less");

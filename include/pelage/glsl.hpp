@@ -29,7 +29,7 @@ struct pelage_azimuthal_lobe {
   float height;     ///< 1/(s tanh(π/(2s))): what normalises on [-π, π]
 };
 
-/// The lobe of scale s in radians, held to at least 1e-5; NaN gives that.
+/// The lobe of scale s in radians, clamped to at least 1e-5; NaN gives that.
 precise pelage_azimuthal_lobe pelage_make_azimuthal_lobe(float scale);
 
 /// N(x) per radian at a distance x in [0, π] from the middle. Relative error below 4e-7 (1 + x/s) in float.
@@ -142,7 +142,7 @@ inline constexpr char bsdf_chiang_5[] = R"glsl(
 /// back after one inner reflection (TRT) or after more (the residual lobe). [Chiang 2016; Marschner 2003; d'Eon 2011]
 ///
 /// Keeps all four lobes' energy: with nothing absorbed all light leaves. Not reciprocal (the eye's θ and h choose the
-/// attenuation), but for the R lobe of an untilted fibre at normal inclination. No allocation, no tables; a fibre is
+/// attenuation), except for the R lobe of an untilted fibre at normal inclination. No allocation, no tables; a fibre is
 /// made once per material, a view once per hit, and each light costs the rest.
 ///
 /// Frame: x along the fibre towards its tip, y and z across; unit vectors that point away from the fibre.
@@ -151,7 +151,7 @@ struct pelage_chiang_parameters {
   float eta;         ///< index of refraction, [1, inf); hair 1.55
   float sigma_a[3];  ///< absorption per fibre radius, [0, inf]
   float beta_m;      ///< roughness along, [0, 1]; 0 is a very narrow lobe, not a mirror
-  float beta_n;      ///< roughness round, [0, 1]; likewise
+  float beta_n;      ///< roughness round, [0, 1]; 0 is a very narrow lobe, too
   float tilt;        ///< α in radians, turns R towards +x; hair, whose scales rise to the tip: -0.035 (2°)
 };
 
@@ -589,7 +589,7 @@ struct pelage_dual_global {
   vec3 variance;     ///< σ̄_f² that they have added, in θ_h
 };
 
-/// Local multiple scattering of a fibre with such averages. ā_f is held to 0.99: at 1 light would never be lost
+/// Local multiple scattering of a fibre with such averages. ā_f is clamped to 0.99: at 1 light would never be lost
 /// between two fibres and the sums diverge. [Zinke 2008 Eqs. 14 to 18]
 precise pelage_dual_local pelage_dual_local_scattering(pelage_dual_averages averages, pelage_dual_density density);
 
@@ -611,14 +611,14 @@ precise pelage_dual_global pelage_dual_pass_fibre(pelage_dual_global before, pel
                                                   pelage_dual_density density);
 
 /// What reaches the eye from a fibre, e for red, green, blue: direct light scattered once and from behind, and
-/// scattered light likewise with its lobes widened. [Zinke 2008 Fig. 9]
+/// scattered light in the same way, its lobes widened. [Zinke 2008 Fig. 9]
 ///
 /// `single`: e of the fibre model for the direct light. `theta_i`, `theta_r` in (-π/2, π/2), `phi` in [-π, π].
 precise vec3 pelage_dual_scattering(pelage_dual_averages averages, pelage_dual_local local, pelage_dual_global global,
                                     pelage_dual_density density, vec3 single, float theta_i, float theta_r, float phi);
 
 /// The share per steradian of a lobe: a Gaussian in θ_h and linear in |φ|, forward (largest at ±π) or backward (at 0);
-/// integrates to 1 over the sphere but for what a wide Gaussian leaves beyond ±π/2.
+/// integrates to 1 over the sphere except for what a wide Gaussian leaves beyond ±π/2.
 precise float pelage_dual_lobe(float theta_h, float variance, float cos_theta_r, float share_of_azimuth);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -757,9 +757,9 @@ inline constexpr char bsdf_fresnel_0[] = R"glsl(// Copyright (c) 2026 The Pelage
 inline constexpr char bsdf_fresnel_1[] = R"glsl(
 /// The share of unpolarised light that a smooth dielectric surface reflects, [0, 1]: exact Fresnel equations.
 ///
-/// `cos_theta`: cosine of the angle of incidence; its sign does not matter, held to [0, 1]. `eta`: index of
+/// `cos_theta`: cosine of the angle of incidence; its sign does not matter, clamped to [0, 1]. `eta`: index of
 /// refraction behind the surface over that before it, (0, 1e18); below 1 total internal reflection gives 1.
-/// At grazing incidence (0): 1; eta = 1 gives 0 but for cos_theta below 1e-18, which counts as grazing. NaN gives 1.
+/// At grazing incidence (0): 1; eta = 1 gives 0 except for cos_theta below 1e-18, which counts as grazing. NaN gives 1.
 /// In float within 1e-6 relative for eta in [1, 1000]; in [0.3, 1) the error grows to 5e-4 beside the critical angle.
 precise float pelage_fresnel_dielectric(float cos_theta, float eta);
 
@@ -1121,7 +1121,7 @@ struct pelage_longitudinal_lobe {
   float height;         ///< e^(1/v) / (2 v sinh(1/v)), which does not overflow where its factors do
 };
 
-/// The lobe of variance v, held to at least 1e-8; NaN gives that.
+/// The lobe of variance v, clamped to at least 1e-8; NaN gives that.
 precise pelage_longitudinal_lobe pelage_make_longitudinal_lobe(float variance);
 
 /// Two inclinations as M sees them.
@@ -1231,7 +1231,7 @@ inline constexpr char bsdf_marschner_4[] = R"glsl(
 /// directions, both of which point away from the fibre. The reflection of a lobe is M_p(θ_h) N_p(θ_d, φ)/cos²θ_d.
 /// How TRT's caustic is treated: the bare sum over roots is infinite there.
 struct pelage_caustic_treatment {
-  bool smoothed;    ///< false leaves the bare sum, held to |dφ/dγ| ≥ 2e-6; the rest is then unused
+  bool smoothed;    ///< false leaves the bare sum, clamped to |dφ/dγ| ≥ 2e-6; the rest is then unused
   float width;      ///< w_c, standard deviation of what replaces it, (0, inf); paper 0.17 to 0.44
   float limit;      ///< Δh_M, greatest share of the width that goes there, [0, 2]; paper 0.5
   float intensity;  ///< k_G, [0, inf); 1 keeps about the energy taken, paper 0.5 to 5
@@ -1266,7 +1266,7 @@ struct pelage_fibre_section {
   float path_stretch;       ///< 1/cos θ_t, sin θ_t = sin θ_d/η
 };
 
-/// The section of a fibre of index eta at a difference angle; cos θ_d is held to at least 1e-6.
+/// The section of a fibre of index eta at a difference angle; cos θ_d is clamped to at least 1e-6.
 precise pelage_fibre_section pelage_make_fibre_section(float eta, float theta_d);
 
 /// A(p, h): what is left of light on path p, for one channel: F, or (1 - F)² F^(p-1) Tᵖ. [Marschner 2003 Eq. 8]
@@ -1573,7 +1573,7 @@ struct pelage_caustic_point {
 
 /// The roots of path p: 0 is R, 1 TT, 2 TRT. `phi`: azimuth in radians, any; `excess`: η′² - 1 = (η² - 1)/cos²θ_d,
 /// (0, inf), which keeps digits that η′ has lost. Symmetric: -φ negates every h. Absolute error of h below 5e-7 in
-/// float and 1e-14 in double but for |dφ/dh| < 0.2, where it grows as 1/|dφ/dh|. NaN gives no roots.
+/// float and 1e-14 in double except for |dφ/dh| < 0.2, where it grows as 1/|dφ/dh|. NaN gives no roots.
 precise pelage_scattering_roots pelage_find_scattering_roots(int path, float phi, float excess);
 
 /// The caustic of an index by η′² - 1, as above.
@@ -2009,13 +2009,13 @@ inline constexpr char composite_optical_depth_1[] = R"glsl(
 /// Range [0, 4096) octaves. One fragment counts at most 32 octaves (an opaque one). Sums saturate at the end of the
 /// range, which is still the same in any order, and read as 0, as does every sum above 126 octaves. Each fragment
 /// rounds by at most 2⁻²¹ octaves, a relative error of 3.4e-7 in the product; fast_log2 adds its own, 1e-7 octaves
-/// or 1e-7 of them. `alpha`: held to [0, 1]; NaN counts as 0.
+/// or 1e-7 of them. `alpha`: clamped to [0, 1]; NaN counts as 0.
 precise uint pelage_optical_depth(float alpha);
 
 /// x in units of 2⁻²⁰, rounded to the nearest; 0 for negative and NaN, the greatest number from 4096 on.
 precise uint pelage_to_fixed(float x);
 
-/// The sum of two, held to the end of the range. Associative and commutative.
+/// The sum of two, clamped to the end of the range. Associative and commutative.
 uint pelage_add_saturating(uint a, uint b);
 
 /// The transmittance of a sum, [0, 1]; exactly 1 for 0. Relative error below 1e-7 · (1 + octaves / 2).
@@ -2061,10 +2061,10 @@ inline constexpr char composite_order_weighted_0[] = R"glsl(// Copyright (c) 202
 inline constexpr char composite_order_weighted_1[] = R"glsl(
 /// Blending by an estimated order, without sorting: a fragment weighs (1 - α)ᵒ α, with o the number of fragments that
 /// an occupancy_map or opacity_map estimates before it. [Sintorn & Assarsson 2009, §3.4] Add with add_weighted(),
-/// resolve() scales the sum by Λ = 1 - Π(1 - α), which for equal alphas is the paper's 1 - (1 - α)ⁿ. Exact (but for
-/// rounding) where all alphas are equal and all orders right.
+/// resolve() scales the sum by Λ = 1 - Π(1 - α), which for equal alphas is the paper's 1 - (1 - α)ⁿ. Exact (except
+/// for rounding) where all alphas are equal and all orders right.
 
-/// The weight of a fragment behind `order` others of its own alpha, [0, 1]. `order`: [0, inf). `alpha`: held to
+/// The weight of a fragment behind `order` others of its own alpha, [0, 1]. `order`: [0, inf). `alpha`: clamped to
 /// [0, 1]; where it is 1 only order 0 weighs anything. NaN gives 0 or NaN.
 precise float pelage_order_weight(float alpha, float order);
 
@@ -2097,7 +2097,7 @@ inline constexpr char composite_over_0[] = R"glsl(// Copyright (c) 2026 The Pela
 /// A colour and its alpha as a premultiplied one. `alpha`: [0, 1].
 precise vec4 pelage_premultiply(vec3 colour, float alpha);
 
-/// `front` over `back`, both premultiplied: what is seen of both. Associative but for rounding; a transparent
+/// `front` over `back`, both premultiplied: what is seen of both. Associative except for rounding; a transparent
 /// black is the identity. An opaque front hides any finite back.
 precise vec4 pelage_over(vec4 front, vec4 back);
 
@@ -2334,7 +2334,7 @@ inline constexpr char composite_tail_2[] = R"glsl(
 struct pelage_tail {
   uint optical;  ///< Σ optical_depth(alpha)
   uint weight;   ///< Σ alpha
-  uint red;      ///< Σ alpha · red, likewise green and blue
+  uint red;      ///< Σ alpha · red; green and blue in the same way
   uint green;
   uint blue;
 };
@@ -2342,8 +2342,8 @@ struct pelage_tail {
 /// A tail that holds nothing: transmittance 1.
 pelage_tail pelage_empty_tail();
 
-/// The tail with one more fragment. `alpha`: opacity times coverage, held to [0, 1]. `colour`: linear RGB,
-/// [0, inf]; alpha · colour is held to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
+/// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB,
+/// [0, inf]; alpha · colour is clamped to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
 precise pelage_tail pelage_add_fragment(pelage_tail t, float alpha, vec3 colour);
 
 /// Both tails in one. Associative and commutative, empty_tail() is the identity.
@@ -2529,7 +2529,7 @@ inline constexpr char composite_weighted_sum_3[] = R"glsl(
 /// fragments gives the same bits.
 
 /// The tail with one more fragment of a weight of its own. `weight`: [0, 1] so that the sums reach 4096 fragments,
-/// alpha included, to the nearest 2⁻²⁰; NaN counts as 0. `colour`: linear RGB, [0, inf]. `alpha`: held to [0, 1].
+/// alpha included, to the nearest 2⁻²⁰; NaN counts as 0. `colour`: linear RGB, [0, inf]. `alpha`: clamped to [0, 1].
 precise pelage_tail pelage_add_weighted(pelage_tail t, float alpha, float weight, vec3 colour);
 
 /// What is seen of a tail before a background: its mean colour by weight over what it lets through. Black for the
@@ -2605,7 +2605,7 @@ pelage_exponent_parts pelage_split_exponent(float biased);
 /// |x|, and 0 for -0.
 precise float pelage_absolute(float x);
 
-/// The lesser and the greater of two; b if either is NaN, in a shader either.
+/// The lesser and the greater of two; b if either is NaN, in shaders too.
 float pelage_least(float a, float b);
 
 float pelage_greatest(float a, float b);
@@ -2627,8 +2627,8 @@ precise float pelage_natural_logarithm(float x);
 float pelage_power_of_share(float x, float y);
 
 /// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
-/// gives 0. The length of the vector does not matter but for overflow of neither and NaN in either, which give NaN. In a
-/// shader no part may be beyond 2¹²⁶ and NaN gives anything.
+/// gives 0. The length of the vector does not matter; NaN gives NaN or any angle. In a shader no part may be
+/// beyond 2¹²⁶ and NaN gives anything.
 precise float pelage_unsigned_angle(float y, float x);
 
 /// atan2(y, x), [-π, π], relative error below 2e-7 in float; (0, 0) gives 0.
@@ -2804,7 +2804,7 @@ bool pelage_same(pelage_fragment a, pelage_fragment b);
 /// key, infinities are ordinary, denormals count. NaN has a key outside [key(-inf), key(+inf)].
 uint pelage_depth_key(float depth);
 
-/// The depth whose key this is; the inverse of depth_key but for the sign of zero.
+/// The depth whose key this is; the inverse of depth_key except for the sign of zero.
 float pelage_depth_from_key(uint key);
 
 // ---------------------------------------------------------------------------------------------------------
@@ -2855,7 +2855,7 @@ precise float pelage_sqr(float x);
 /// may flush, count as 0.
 precise float pelage_safe_sqrt(float x);
 
-/// x held to [0, 1]; NaN gives 0.
+/// x clamped to [0, 1]; NaN gives 0.
 float pelage_saturate(float x);
 
 /// log₂ x from + − × alone, so that every machine agrees on its bits. For normal x > 0 within
@@ -3096,7 +3096,7 @@ struct pelage_closest_pair {
 ///
 /// `direction` need not be a unit vector but not 0: with direction.z = ±1 in view space, `along_ray` is view depth.
 /// Ties: of a segment parallel to the ray, the point nearest to the ray's origin. A segment of length 0 is a point.
-/// Points behind the origin are held to it. NaN in gives a NaN depth and distance; `along_segment` stays in [0, 1].
+/// Points behind the origin are clamped to it. NaN in gives a NaN depth and distance; `along_segment` stays in [0, 1].
 /// The distance is right within 8 ulp of the two ends' distances from the origin, added up; the depth is as
 /// ill-conditioned as the angle between ray and segment is small.
 precise pelage_closest_pair pelage_closest_points(vec3 origin, vec3 direction, vec3 start, vec3 end);
@@ -3143,7 +3143,7 @@ inline constexpr char coverage_disc_strip_0[] = R"glsl(// Copyright (c) 2026 The
 ///
 /// In float within 1e-6 relative of the exact area for any ratio of the three, where the area is normal: the area
 /// of a thin strip is integrated over its width instead of subtracting two caps that agree in every digit. In double
-/// within 5e-7, the formula's own error. Never falls when the fibre grows but for that error. A fibre of radius 0, or
+/// within 5e-7, the formula's own error. Never falls when the fibre grows, save by that error. A fibre of radius 0, or
 /// farther off than the two radii: 0. A disc of radius 0 is a point: 1 inside the strip, 0 outside. NaN, a negative
 /// radius or an infinite disc: 0. O(1), one to three square roots.
 precise float pelage_disc_strip_share(float offset, float fibre_radius, float disc_radius);
@@ -3378,7 +3378,7 @@ precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fi
   const vec3 last_along = pelage_cross_product(side, last_view);
 
   // The wider of the two ends, as seen, serves both: a near end can hide a far one whole. What lies between them is
-  // no wider, as distance is convex, but for the stretch, which is greatest where the axis is nearest to the eye.
+  // no wider, as distance is convex, except for the stretch, which is greatest where the axis is nearest to the eye.
   const float first_seen = pelage_reach_at(-first.z, fibre_radius, cone, margin) / first_distance;
   const float last_seen = pelage_reach_at(-last.z, fibre_radius, cone, margin) / last_distance;
   float seen = first_seen > last_seen ? first_seen : last_seen;
@@ -3426,7 +3426,7 @@ inline constexpr char order_a_buffer_2[] = R"glsl(
 /// counted: the pool is full, or is_fragment() is false. `list`: [0, list_count()). Wait-free, O(1).
 ///
 /// (1) The exchange is relaxed: no thread reads a list while others push, and atomic exchanges on one head still
-/// give each pusher its own predecessor. (2) Likewise relaxed; only the barrier after the phase publishes it.
+/// give each pusher its own predecessor. (2) Relaxed as well; only the barrier after the phase publishes it.
 pelage_fragment pelage_a_buffer_push(uint list, pelage_fragment offered);
 
 /// The first node of a list, or no_node(). Not concurrent with push.
@@ -4193,8 +4193,8 @@ inline constexpr char order_two_pass_k_buffer_2[] = R"glsl(
 /// Each fragment is offered once in each pass. Between the passes, and between the second one and the first read, the
 /// caller joins its threads, or waits at a barrier that synchronises them. 8 K bytes a pixel. K in [1, 64].
 ///
-/// The first pass is atomic_k_buffer's cascade on depth keys alone: it leaves the K smallest in order, equal ones as
-/// often as they came. Then the slots of one depth are a run, and the second pass is the same cascade of ids along
+/// The first pass is atomic_k_buffer's cascade on depth keys alone: it leaves the K smallest in order, equal ones with
+/// their multiplicity. Then the slots of one depth are a run, and the second pass is the same cascade of ids along
 /// that run: it leaves the run's smallest ids in order. Only a run that ends at slot K - 1 may have more fragments
 /// than slots; its larger ids fall out.
 
@@ -4396,7 +4396,7 @@ void pelage_span_vertex_storage_write_vertex(uint pelage_n, pelage_deep_shadow_v
 /// depth. Begin, add() every fragment nearest first, finish(); `count` is then the number of vertices, at most 2 a
 /// fragment. O(1) a fragment. One thread builds a texel.
 ///
-/// Depths, of look-ups too, are held to [-2¹⁰⁰, 2¹⁰⁰], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: no slope
+/// Depths, of look-ups too, are clamped to [-2¹⁰⁰, 2¹⁰⁰], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: no slope
 /// then leaves a float's range.
 struct pelage_deep_shadow_builder {
   uint first;                      ///< of the texel's vertices in the storage
@@ -4415,7 +4415,7 @@ struct pelage_deep_shadow_builder {
 /// A builder for the vertices from `first` on. `max_error`: [0, 1]; below 1e-6, or NaN: the truth itself.
 precise pelage_deep_shadow_builder pelage_deep_shadow_builder_begin(uint first, float max_error);
 
-/// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: held to [0, 1].
+/// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: clamped to [0, 1].
 void pelage_deep_shadow_builder_add(precise inout pelage_deep_shadow_builder self, float depth, float alpha);
 
 /// Writes what is still open.
@@ -4610,9 +4610,9 @@ const uint pelage_density_clusters_cells = 3u * PELAGE_DENSITY_CLUSTERS_K;  ///<
 /// One texel's fragments as K clusters, each with its number, mean depth and variance. [Mertens et al. 2004, §3]
 ///
 /// A cluster here is one of K equal bins of the depth range, where the paper moves them by k-means. Between
-/// mean ± √3 σ, held to its bin, a cluster's fragments lie evenly. Depths in a bin are rounded to 512 steps and summed
-/// as integers, so the state depends on the set of fragments alone, bit for bit; the sums stop at 2³² - 1, squares
-/// from 16,383 fragments a bin on. 12 K bytes, 8 more with the depth_range.
+/// mean ± √3 σ, clamped to its bin, a cluster's fragments lie evenly. Depths in a bin are rounded to 512 steps and
+/// summed as integers, so the state depends on the set of fragments alone, bit for bit; the sums stop at 2³² - 1,
+/// squares from 16,383 fragments a bin on. 12 K bytes, 8 more with the depth_range.
 struct pelage_density_clusters {
   uint count[PELAGE_DENSITY_CLUSTERS_K];    ///< fragments in each bin
   uint sum[PELAGE_DENSITY_CLUSTERS_K];      ///< of their positions in the bin, 512 steps to a bin
@@ -4859,7 +4859,7 @@ precise float pelage_growing_layer_width(float extent, uint layers);
 /// The layer that a position lies in, [0, layers): the position's end belongs to the last. `position`: [0, layers].
 uint pelage_layer_at(float position, uint layers);
 
-/// x held to [0, high]; NaN gives 0.
+/// x clamped to [0, high]; NaN gives 0.
 float pelage_held_position(float x, float high) {
   return x > 0.0 ? (x < high ? x : high) : 0.0;
 }
@@ -4882,7 +4882,7 @@ float pelage_equal_layer_position(float offset, float width, uint layers) {
 
 precise float pelage_growing_layer_position(float offset, float width, uint layers) {
   const float end = float(layers);
-  // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is held to 0.
+  // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is clamped to 0.
   const float widths = pelage_held_position(pelage_offset_in_widths(offset, width), 0.5 * end * (end + 1.0));
   const float layer = floor(0.5 * (sqrt(8.0 * widths + 1.0) - 1.0));
   const float inside = (widths - 0.5 * layer * (layer + 1.0)) / (layer + 1.0);

@@ -79,7 +79,7 @@ TEST_CASE("any tree of merges gives the same bits, saturated or not") {
   });
 }
 
-/// A sum in units of 2⁻²⁰, each term rounded to the nearest, held to the end of the range once at the end.
+/// A sum in units of 2⁻²⁰, each term rounded to the nearest, clamped to the end of the range once at the end.
 struct wide_sum {
   std::uint64_t units = 0u;
 

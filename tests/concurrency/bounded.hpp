@@ -11,7 +11,7 @@ namespace pelage::explore {
 
 /// Every schedule with few surprises, for programs too large to explore whole. A surprise is what a run on one
 /// processor would not do by itself: taking control from a thread that could go on, and letting a thread read a
-/// store that is not the latest. Most faults need two or three. [Musuvathi07 §4, with old stores counted likewise]
+/// store that is not the latest. Most faults need two or three. [Musuvathi07 §4, with old stores counted as well]
 class bounded : public strategy {
  public:
   explicit bounded(int surprises) : surprises_(surprises) {}

@@ -50,7 +50,7 @@ struct ordered_inserts {
   }
 };
 
-/// The library's a_buffer likewise.
+/// The same for the library's a_buffer.
 struct unordered_inserts {
   static constexpr bool sorted = false;
   template <class Storage>

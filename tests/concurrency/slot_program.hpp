@@ -28,7 +28,7 @@ struct one_pass {
   static fragment at(const Storage& s, std::uint32_t i) { return atomic_k_buffer::at<K>(s, 0u, i); }
 };
 
-/// two_pass_k_buffer likewise.
+/// The same of a two_pass_k_buffer.
 template <std::uint32_t K, class Storage = watched_split_slots>
 struct two_passes {
   using storage = Storage;

@@ -115,7 +115,7 @@ struct depths_in_two_steps : watched_split_slots {
   }
 };
 
-/// Second pass likewise.
+/// The same in the second pass.
 struct ids_in_two_steps : watched_split_slots {
   using watched_split_slots::watched_split_slots;
   std::uint32_t min_id(std::uint32_t slot, std::uint32_t id, order o) {

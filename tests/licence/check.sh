@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Copyright (c) 2026 The Pelage authors
 # SPDX-License-Identifier: MIT
-# check.sh ROOT: every file begins with the two lines of the licence, after the #! of a script; but for those that have
+# check.sh ROOT: every file begins with the two lines of the licence, after the #! of a script, except those that have
 # no place for them or are data.
 set -euo pipefail
 cd "$1"

@@ -218,7 +218,7 @@ std::string broken_law(const Storage& storage, const Lists& lists, const std::ve
   }
   const std::size_t listed = found.size();
   std::size_t refused_by_data = 0u;
-  std::size_t refused_by_pool = 0u;  // but for those that the limit would have refused as well
+  std::size_t refused_by_pool = 0u;  // except those that the limit would have refused as well
   for (const auto& [list, f] : returned) {
     found.emplace_back(list, bits(f));
     const auto nearer_ones =

@@ -64,7 +64,7 @@ chiang_fibre<float> chiang_of(const fibre_look& look, const std::array<float, 3>
   return make_chiang_fibre<float>({look.eta, sigma_a, look.beta_m, look.beta_n, -glm::radians(look.tilt)});
 }
 
-/// x held to [-1, 1]; -1 where it is NaN.
+/// x clamped to [-1, 1]; -1 where it is NaN.
 float held_sine(float x) {
   return std::min(std::max(-1.0F, x), 1.0F);
 }

@@ -38,7 +38,7 @@ struct no_device : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Draws a frame on a Vulkan device, all of it from strands to picture: that of draw_frame() but for rounding, where
+/// Draws a frame on a Vulkan device, all of it from strands to picture: that of draw_frame() except for rounding, where
 /// segments are lit at their ends alone, whatever the settings' shading_spacing.
 ///
 /// `frames`: [1, inf). Throws no_device; std::runtime_error, one line, for too little memory, a model too large for the

@@ -148,7 +148,7 @@ void session::measure() {
   counted_ = run_and_read(steps);
 }
 
-/// Gives each view its part of the pool and of the stamps. Runs lie one view's behind another's, but for the
+/// Gives each view its part of the pool and of the stamps. Runs lie one view's behind another's, except for the
 /// camera's records, which have memory of their own; lists have the pool to themselves, one view after another.
 void session::make_room() {
   std::uint64_t stamps = 0;

@@ -16,7 +16,7 @@ struct azimuthal_lobe {
   Real height;     ///< 1/(s tanh(π/(2s))): what normalises on [-π, π]
 };
 
-/// The lobe of scale s in radians, held to at least 1e-5; NaN gives that.
+/// The lobe of scale s in radians, clamped to at least 1e-5; NaN gives that.
 template <real_number Real>
 [[nodiscard]] inline azimuthal_lobe<Real> make_azimuthal_lobe(Real scale) noexcept;
 

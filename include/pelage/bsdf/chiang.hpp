@@ -16,7 +16,7 @@ namespace pelage {
 /// back after one inner reflection (TRT) or after more (the residual lobe). [Chiang 2016; Marschner 2003; d'Eon 2011]
 ///
 /// Keeps all four lobes' energy: with nothing absorbed all light leaves. Not reciprocal (the eye's θ and h choose the
-/// attenuation), but for the R lobe of an untilted fibre at normal inclination. No allocation, no tables; a fibre is
+/// attenuation), except for the R lobe of an untilted fibre at normal inclination. No allocation, no tables; a fibre is
 /// made once per material, a view once per hit, and each light costs the rest.
 ///
 /// Frame: x along the fibre towards its tip, y and z across; unit vectors that point away from the fibre.
@@ -26,7 +26,7 @@ struct chiang_parameters {
   Real eta;                     ///< index of refraction, [1, inf); hair 1.55
   std::array<Real, 3> sigma_a;  ///< absorption per fibre radius, [0, inf]
   Real beta_m;                  ///< roughness along, [0, 1]; 0 is a very narrow lobe, not a mirror
-  Real beta_n;                  ///< roughness round, [0, 1]; likewise
+  Real beta_n;                  ///< roughness round, [0, 1]; 0 is a very narrow lobe, too
   Real tilt;                    ///< α in radians, turns R towards +x; hair, whose scales rise to the tip: -0.035 (2°)
 };
 

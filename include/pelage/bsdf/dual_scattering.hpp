@@ -58,7 +58,7 @@ struct dual_global {
   glm::vec<3, Real> variance;     ///< σ̄_f² that they have added, in θ_h
 };
 
-/// Local multiple scattering of a fibre with such averages. ā_f is held to 0.99: at 1 light would never be lost
+/// Local multiple scattering of a fibre with such averages. ā_f is clamped to 0.99: at 1 light would never be lost
 /// between two fibres and the sums diverge. [Zinke 2008 Eqs. 14 to 18]
 template <std::floating_point Real>
 [[nodiscard]] dual_local<Real> dual_local_scattering(const dual_averages<Real>& averages,
@@ -86,7 +86,7 @@ template <std::floating_point Real>
                                                 const dual_density<Real>& density) noexcept;
 
 /// What reaches the eye from a fibre, e for red, green, blue: direct light scattered once and from behind, and
-/// scattered light likewise with its lobes widened. [Zinke 2008 Fig. 9]
+/// scattered light in the same way, its lobes widened. [Zinke 2008 Fig. 9]
 ///
 /// `single`: e of the fibre model for the direct light. `theta_i`, `theta_r` in (-π/2, π/2), `phi` in [-π, π].
 template <std::floating_point Real>
@@ -96,7 +96,7 @@ template <std::floating_point Real>
                                                 Real phi) noexcept;
 
 /// The share per steradian of a lobe: a Gaussian in θ_h and linear in |φ|, forward (largest at ±π) or backward (at 0);
-/// integrates to 1 over the sphere but for what a wide Gaussian leaves beyond ±π/2.
+/// integrates to 1 over the sphere except for what a wide Gaussian leaves beyond ±π/2.
 template <std::floating_point Real>
 [[nodiscard]] Real dual_lobe(Real theta_h, Real variance, Real cos_theta_r, Real share_of_azimuth) noexcept;
 

@@ -34,7 +34,7 @@ struct longitudinal_lobe {
   Real height;         ///< e^(1/v) / (2 v sinh(1/v)), which does not overflow where its factors do
 };
 
-/// The lobe of variance v, held to at least 1e-8; NaN gives that.
+/// The lobe of variance v, clamped to at least 1e-8; NaN gives that.
 template <real_number Real>
 [[nodiscard]] inline longitudinal_lobe<Real> make_longitudinal_lobe(Real variance) noexcept;
 

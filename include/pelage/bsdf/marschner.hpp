@@ -19,7 +19,7 @@ namespace pelage {
 /// How TRT's caustic is treated: the bare sum over roots is infinite there.
 template <std::floating_point Real>
 struct caustic_treatment {
-  bool smoothed;   ///< false leaves the bare sum, held to |dφ/dγ| ≥ 2e-6; the rest is then unused
+  bool smoothed;   ///< false leaves the bare sum, clamped to |dφ/dγ| ≥ 2e-6; the rest is then unused
   Real width;      ///< w_c, standard deviation of what replaces it, (0, inf); paper 0.17 to 0.44
   Real limit;      ///< Δh_M, greatest share of the width that goes there, [0, 2]; paper 0.5
   Real intensity;  ///< k_G, [0, inf); 1 keeps about the energy taken, paper 0.5 to 5
@@ -58,7 +58,7 @@ struct fibre_section {
   Real path_stretch;       ///< 1/cos θ_t, sin θ_t = sin θ_d/η
 };
 
-/// The section of a fibre of index eta at a difference angle; cos θ_d is held to at least 1e-6.
+/// The section of a fibre of index eta at a difference angle; cos θ_d is clamped to at least 1e-6.
 template <std::floating_point Real>
 [[nodiscard]] fibre_section<Real> make_fibre_section(Real eta, Real theta_d) noexcept;
 

@@ -12,7 +12,7 @@ namespace pelage {
 template <std::floating_point Real>
 [[nodiscard]] constexpr glm::vec<4, Real> premultiply(const glm::vec<3, Real>& colour, Real alpha) noexcept;
 
-/// `front` over `back`, both premultiplied: what is seen of both. Associative but for rounding; a transparent
+/// `front` over `back`, both premultiplied: what is seen of both. Associative except for rounding; a transparent
 /// black is the identity. An opaque front hides any finite back.
 template <std::floating_point Real>
 [[nodiscard]] constexpr glm::vec<4, Real> over(const glm::vec<4, Real>& front, const glm::vec<4, Real>& back) noexcept;

@@ -20,7 +20,7 @@ namespace pelage {
 struct tail {
   std::uint32_t optical;  ///< Σ optical_depth(alpha)
   std::uint32_t weight;   ///< Σ alpha
-  std::uint32_t red;      ///< Σ alpha · red, likewise green and blue
+  std::uint32_t red;      ///< Σ alpha · red; green and blue in the same way
   std::uint32_t green;
   std::uint32_t blue;
 };
@@ -28,8 +28,8 @@ struct tail {
 /// A tail that holds nothing: transmittance 1.
 [[nodiscard]] constexpr tail empty_tail() noexcept;
 
-/// The tail with one more fragment. `alpha`: opacity times coverage, held to [0, 1]. `colour`: linear RGB,
-/// [0, inf]; alpha · colour is held to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
+/// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB,
+/// [0, inf]; alpha · colour is clamped to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
 [[nodiscard]] constexpr tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept;
 
 /// Both tails in one. Associative and commutative, empty_tail() is the identity.

@@ -49,7 +49,7 @@ struct exponent_parts {
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real absolute(Real x) noexcept;
 
-/// The lesser and the greater of two; b if either is NaN, in a shader either.
+/// The lesser and the greater of two; b if either is NaN, in shaders too.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real least(Real a, Real b) noexcept;
 template <real_number Real>
@@ -77,8 +77,8 @@ template <std::floating_point Real>
 [[nodiscard]] inline Real power_of_share(Real x, Real y) noexcept;
 
 /// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
-/// gives 0. The length of the vector does not matter but for overflow of neither and NaN in either, which give NaN. In a
-/// shader no part may be beyond 2¹²⁶ and NaN gives anything.
+/// gives 0. The length of the vector does not matter; NaN gives NaN or any angle. In a shader no part may be
+/// beyond 2¹²⁶ and NaN gives anything.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real unsigned_angle(Real y, Real x) noexcept;
 

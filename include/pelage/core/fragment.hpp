@@ -34,7 +34,7 @@ struct fragment {
 /// key, infinities are ordinary, denormals count. NaN has a key outside [key(-inf), key(+inf)].
 [[nodiscard]] constexpr std::uint32_t depth_key(float depth) noexcept;
 
-/// The depth whose key this is; the inverse of depth_key but for the sign of zero.
+/// The depth whose key this is; the inverse of depth_key except for the sign of zero.
 [[nodiscard]] constexpr float depth_from_key(std::uint32_t key) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------

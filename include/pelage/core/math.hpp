@@ -18,7 +18,7 @@ template <std::floating_point Real>
 template <std::floating_point Real>
 [[nodiscard]] Real safe_sqrt(Real x) noexcept;
 
-/// x held to [0, 1]; NaN gives 0.
+/// x clamped to [0, 1]; NaN gives 0.
 template <std::floating_point Real>
 [[nodiscard]] constexpr Real saturate(Real x) noexcept;
 

@@ -23,7 +23,7 @@ struct closest_pair {
 ///
 /// `direction` need not be a unit vector but not 0: with direction.z = ±1 in view space, `along_ray` is view depth.
 /// Ties: of a segment parallel to the ray, the point nearest to the ray's origin. A segment of length 0 is a point.
-/// Points behind the origin are held to it. NaN in gives a NaN depth and distance; `along_segment` stays in [0, 1].
+/// Points behind the origin are clamped to it. NaN in gives a NaN depth and distance; `along_segment` stays in [0, 1].
 /// The distance is right within 8 ulp of the two ends' distances from the origin, added up; the depth is as
 /// ill-conditioned as the angle between ray and segment is small.
 template <std::floating_point Real>

@@ -17,7 +17,7 @@ namespace pelage {
 ///
 /// In float within 1e-6 relative of the exact area for any ratio of the three, where the area is normal: the area
 /// of a thin strip is integrated over its width instead of subtracting two caps that agree in every digit. In double
-/// within 5e-7, the formula's own error. Never falls when the fibre grows but for that error. A fibre of radius 0, or
+/// within 5e-7, the formula's own error. Never falls when the fibre grows, save by that error. A fibre of radius 0, or
 /// farther off than the two radii: 0. A disc of radius 0 is a point: 1 inside the strip, 0 outside. NaN, a negative
 /// radius or an infinite disc: 0. O(1), one to three square roots.
 template <std::floating_point Real>

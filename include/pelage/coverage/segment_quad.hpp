@@ -106,7 +106,7 @@ segment_quad<Real> expand_segment(const glm::vec<3, Real>& start, const glm::vec
   const glm::vec<3, Real> last_along = cross_product(side, last_view);
 
   // The wider of the two ends, as seen, serves both: a near end can hide a far one whole. What lies between them is
-  // no wider, as distance is convex, but for the stretch, which is greatest where the axis is nearest to the eye.
+  // no wider, as distance is convex, except for the stretch, which is greatest where the axis is nearest to the eye.
   const Real first_seen = reach_at(-first.z, fibre_radius, cone, margin) / first_distance;
   const Real last_seen = reach_at(-last.z, fibre_radius, cone, margin) / last_distance;
   Real seen = first_seen > last_seen ? first_seen : last_seen;

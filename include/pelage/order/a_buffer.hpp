@@ -20,7 +20,7 @@ namespace pelage::a_buffer {
 /// counted: the pool is full, or is_fragment() is false. `list`: [0, list_count()). Wait-free, O(1).
 ///
 /// (1) The exchange is relaxed: no thread reads a list while others push, and atomic exchanges on one head still
-/// give each pusher its own predecessor. (2) Likewise relaxed; only the barrier after the phase publishes it.
+/// give each pusher its own predecessor. (2) Relaxed as well; only the barrier after the phase publishes it.
 template <list_storage Storage>
 [[nodiscard]] fragment push(Storage& storage, std::uint32_t list, fragment offered) noexcept;
 

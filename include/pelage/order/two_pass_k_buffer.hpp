@@ -15,8 +15,8 @@
 /// Each fragment is offered once in each pass. Between the passes, and between the second one and the first read, the
 /// caller joins its threads, or waits at a barrier that synchronises them. 8 K bytes a pixel. K in [1, 64].
 ///
-/// The first pass is atomic_k_buffer's cascade on depth keys alone: it leaves the K smallest in order, equal ones as
-/// often as they came. Then the slots of one depth are a run, and the second pass is the same cascade of ids along
+/// The first pass is atomic_k_buffer's cascade on depth keys alone: it leaves the K smallest in order, equal ones with
+/// their multiplicity. Then the slots of one depth are a run, and the second pass is the same cascade of ids along
 /// that run: it leaves the run's smallest ids in order. Only a run that ends at slot K - 1 may have more fragments
 /// than slots; its larger ids fall out.
 namespace pelage::two_pass_k_buffer {

@@ -38,7 +38,7 @@ static_assert(deep_shadow_storage<span_vertex_storage>);
 /// depth. Begin, add() every fragment nearest first, finish(); `count` is then the number of vertices, at most 2 a
 /// fragment. O(1) a fragment. One thread builds a texel.
 ///
-/// Depths, of look-ups too, are held to [-2¹⁰⁰, 2¹⁰⁰], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: no slope
+/// Depths, of look-ups too, are clamped to [-2¹⁰⁰, 2¹⁰⁰], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: no slope
 /// then leaves a float's range.
 struct deep_shadow_builder {
   std::uint32_t first;      ///< of the texel's vertices in the storage
@@ -56,7 +56,7 @@ struct deep_shadow_builder {
   /// A builder for the vertices from `first` on. `max_error`: [0, 1]; below 1e-6, or NaN: the truth itself.
   [[nodiscard]] static constexpr deep_shadow_builder begin(std::uint32_t first, float max_error) noexcept;
 
-  /// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: held to [0, 1].
+  /// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: clamped to [0, 1].
   template <deep_shadow_storage Storage>
   constexpr void add(Storage& storage, float depth, float alpha) noexcept;
 

@@ -30,7 +30,7 @@ namespace pelage {
 
 // ---------------------------------------------------------------------------------------------------------
 
-/// x held to [0, high]; NaN gives 0.
+/// x clamped to [0, high]; NaN gives 0.
 [[nodiscard]] constexpr float held_position(float x, float high) noexcept {
   return x > 0.0f ? (x < high ? x : high) : 0.0f;
 }
@@ -51,7 +51,7 @@ constexpr float equal_layer_position(float offset, float width, std::uint32_t la
 
 inline float growing_layer_position(float offset, float width, std::uint32_t layers) noexcept {
   const float end = static_cast<float>(layers);
-  // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is held to 0.
+  // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is clamped to 0.
   const float widths = held_position(offset_in_widths(offset, width), 0.5f * end * (end + 1.0f));
   const float layer = std::floor(0.5f * (std::sqrt(8.0f * widths + 1.0f) - 1.0f));
   const float inside = (widths - 0.5f * layer * (layer + 1.0f)) / (layer + 1.0f);

@@ -47,8 +47,8 @@ void amounts_before(const occupancy_map<Slices, Slabs>& map, std::span<const flo
   table bits;    // the part's slices, from bit 0 on
   table set;     // set slices of its slab, at least 1, and from bit 16 on those before the part
   table before;  // the slabs before, as a float's bits
-  table here;    // its slab, likewise
-  table most;    // both, likewise
+  table here;    // its slab, as a float's bits
+  table most;    // both, as a float's bits
   std::uint32_t sum = 0u;
   for (std::uint32_t slab = 0u; slab < Slabs; ++slab) {
     constexpr std::uint32_t slab_parts = slab_slices / part_slices;

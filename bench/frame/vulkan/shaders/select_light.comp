@@ -29,7 +29,7 @@ void look_at(pelage_fragment f) {
   farthest = max(farthest, f.depth);
 }
 
-/// The optical depth of the whole run less what is kept, held to the end of the range.
+/// The optical depth of the whole run less what is kept, clamped to the end of the range.
 uint behind(uint kept) {
   const uint low = subgroupAdd(low_sum & 0xffffu);
   const uint middle = subgroupAdd(low_sum >> 16u) + (low >> 16u);

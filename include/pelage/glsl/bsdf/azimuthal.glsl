@@ -14,7 +14,7 @@ struct pelage_azimuthal_lobe {
   float height;     ///< 1/(s tanh(π/(2s))): what normalises on [-π, π]
 };
 
-/// The lobe of scale s in radians, held to at least 1e-5; NaN gives that.
+/// The lobe of scale s in radians, clamped to at least 1e-5; NaN gives that.
 precise pelage_azimuthal_lobe pelage_make_azimuthal_lobe(float scale);
 
 /// N(x) per radian at a distance x in [0, π] from the middle. Relative error below 4e-7 (1 + x/s) in float.

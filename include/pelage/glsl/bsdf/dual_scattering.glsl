@@ -49,7 +49,7 @@ struct pelage_dual_global {
   vec3 variance;     ///< σ̄_f² that they have added, in θ_h
 };
 
-/// Local multiple scattering of a fibre with such averages. ā_f is held to 0.99: at 1 light would never be lost
+/// Local multiple scattering of a fibre with such averages. ā_f is clamped to 0.99: at 1 light would never be lost
 /// between two fibres and the sums diverge. [Zinke 2008 Eqs. 14 to 18]
 precise pelage_dual_local pelage_dual_local_scattering(pelage_dual_averages averages, pelage_dual_density density);
 
@@ -71,14 +71,14 @@ precise pelage_dual_global pelage_dual_pass_fibre(pelage_dual_global before, pel
                                                   pelage_dual_density density);
 
 /// What reaches the eye from a fibre, e for red, green, blue: direct light scattered once and from behind, and
-/// scattered light likewise with its lobes widened. [Zinke 2008 Fig. 9]
+/// scattered light in the same way, its lobes widened. [Zinke 2008 Fig. 9]
 ///
 /// `single`: e of the fibre model for the direct light. `theta_i`, `theta_r` in (-π/2, π/2), `phi` in [-π, π].
 precise vec3 pelage_dual_scattering(pelage_dual_averages averages, pelage_dual_local local, pelage_dual_global global,
                                     pelage_dual_density density, vec3 single, float theta_i, float theta_r, float phi);
 
 /// The share per steradian of a lobe: a Gaussian in θ_h and linear in |φ|, forward (largest at ±π) or backward (at 0);
-/// integrates to 1 over the sphere but for what a wide Gaussian leaves beyond ±π/2.
+/// integrates to 1 over the sphere except for what a wide Gaussian leaves beyond ±π/2.
 precise float pelage_dual_lobe(float theta_h, float variance, float cos_theta_r, float share_of_azimuth);
 
 // ---------------------------------------------------------------------------------------------------------

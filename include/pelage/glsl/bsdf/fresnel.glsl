@@ -8,9 +8,9 @@
 
 /// The share of unpolarised light that a smooth dielectric surface reflects, [0, 1]: exact Fresnel equations.
 ///
-/// `cos_theta`: cosine of the angle of incidence; its sign does not matter, held to [0, 1]. `eta`: index of
+/// `cos_theta`: cosine of the angle of incidence; its sign does not matter, clamped to [0, 1]. `eta`: index of
 /// refraction behind the surface over that before it, (0, 1e18); below 1 total internal reflection gives 1.
-/// At grazing incidence (0): 1; eta = 1 gives 0 but for cos_theta below 1e-18, which counts as grazing. NaN gives 1.
+/// At grazing incidence (0): 1; eta = 1 gives 0 except for cos_theta below 1e-18, which counts as grazing. NaN gives 1.
 /// In float within 1e-6 relative for eta in [1, 1000]; in [0.3, 1) the error grows to 5e-4 beside the critical angle.
 precise float pelage_fresnel_dielectric(float cos_theta, float eta);
 

@@ -29,7 +29,7 @@ struct pelage_longitudinal_lobe {
   float height;         ///< e^(1/v) / (2 v sinh(1/v)), which does not overflow where its factors do
 };
 
-/// The lobe of variance v, held to at least 1e-8; NaN gives that.
+/// The lobe of variance v, clamped to at least 1e-8; NaN gives that.
 precise pelage_longitudinal_lobe pelage_make_longitudinal_lobe(float variance);
 
 /// Two inclinations as M sees them.

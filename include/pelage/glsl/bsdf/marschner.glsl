@@ -16,7 +16,7 @@
 /// directions, both of which point away from the fibre. The reflection of a lobe is M_p(θ_h) N_p(θ_d, φ)/cos²θ_d.
 /// How TRT's caustic is treated: the bare sum over roots is infinite there.
 struct pelage_caustic_treatment {
-  bool smoothed;    ///< false leaves the bare sum, held to |dφ/dγ| ≥ 2e-6; the rest is then unused
+  bool smoothed;    ///< false leaves the bare sum, clamped to |dφ/dγ| ≥ 2e-6; the rest is then unused
   float width;      ///< w_c, standard deviation of what replaces it, (0, inf); paper 0.17 to 0.44
   float limit;      ///< Δh_M, greatest share of the width that goes there, [0, 2]; paper 0.5
   float intensity;  ///< k_G, [0, inf); 1 keeps about the energy taken, paper 0.5 to 5
@@ -51,7 +51,7 @@ struct pelage_fibre_section {
   float path_stretch;       ///< 1/cos θ_t, sin θ_t = sin θ_d/η
 };
 
-/// The section of a fibre of index eta at a difference angle; cos θ_d is held to at least 1e-6.
+/// The section of a fibre of index eta at a difference angle; cos θ_d is clamped to at least 1e-6.
 precise pelage_fibre_section pelage_make_fibre_section(float eta, float theta_d);
 
 /// A(p, h): what is left of light on path p, for one channel: F, or (1 - F)² F^(p-1) Tᵖ. [Marschner 2003 Eq. 8]

@@ -7,7 +7,7 @@
 /// A colour and its alpha as a premultiplied one. `alpha`: [0, 1].
 precise vec4 pelage_premultiply(vec3 colour, float alpha);
 
-/// `front` over `back`, both premultiplied: what is seen of both. Associative but for rounding; a transparent
+/// `front` over `back`, both premultiplied: what is seen of both. Associative except for rounding; a transparent
 /// black is the identity. An opaque front hides any finite back.
 precise vec4 pelage_over(vec4 front, vec4 back);
 

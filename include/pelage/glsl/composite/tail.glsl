@@ -17,7 +17,7 @@
 struct pelage_tail {
   uint optical;  ///< Σ optical_depth(alpha)
   uint weight;   ///< Σ alpha
-  uint red;      ///< Σ alpha · red, likewise green and blue
+  uint red;      ///< Σ alpha · red; green and blue in the same way
   uint green;
   uint blue;
 };
@@ -25,8 +25,8 @@ struct pelage_tail {
 /// A tail that holds nothing: transmittance 1.
 pelage_tail pelage_empty_tail();
 
-/// The tail with one more fragment. `alpha`: opacity times coverage, held to [0, 1]. `colour`: linear RGB,
-/// [0, inf]; alpha · colour is held to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
+/// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB,
+/// [0, inf]; alpha · colour is clamped to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
 precise pelage_tail pelage_add_fragment(pelage_tail t, float alpha, vec3 colour);
 
 /// Both tails in one. Associative and commutative, empty_tail() is the identity.

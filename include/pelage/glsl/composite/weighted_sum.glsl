@@ -13,7 +13,7 @@
 /// fragments gives the same bits.
 
 /// The tail with one more fragment of a weight of its own. `weight`: [0, 1] so that the sums reach 4096 fragments,
-/// alpha included, to the nearest 2⁻²⁰; NaN counts as 0. `colour`: linear RGB, [0, inf]. `alpha`: held to [0, 1].
+/// alpha included, to the nearest 2⁻²⁰; NaN counts as 0. `colour`: linear RGB, [0, inf]. `alpha`: clamped to [0, 1].
 precise pelage_tail pelage_add_weighted(pelage_tail t, float alpha, float weight, vec3 colour);
 
 /// What is seen of a tail before a background: its mean colour by weight over what it lets through. Black for the

@@ -27,7 +27,7 @@ pelage_exponent_parts pelage_split_exponent(float biased);
 /// |x|, and 0 for -0.
 precise float pelage_absolute(float x);
 
-/// The lesser and the greater of two; b if either is NaN, in a shader either.
+/// The lesser and the greater of two; b if either is NaN, in shaders too.
 float pelage_least(float a, float b);
 
 float pelage_greatest(float a, float b);
@@ -49,8 +49,8 @@ precise float pelage_natural_logarithm(float x);
 float pelage_power_of_share(float x, float y);
 
 /// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
-/// gives 0. The length of the vector does not matter but for overflow of neither and NaN in either, which give NaN. In a
-/// shader no part may be beyond 2¹²⁶ and NaN gives anything.
+/// gives 0. The length of the vector does not matter; NaN gives NaN or any angle. In a shader no part may be
+/// beyond 2¹²⁶ and NaN gives anything.
 precise float pelage_unsigned_angle(float y, float x);
 
 /// atan2(y, x), [-π, π], relative error below 2e-7 in float; (0, 0) gives 0.

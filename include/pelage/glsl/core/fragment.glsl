@@ -31,7 +31,7 @@ bool pelage_same(pelage_fragment a, pelage_fragment b);
 /// key, infinities are ordinary, denormals count. NaN has a key outside [key(-inf), key(+inf)].
 uint pelage_depth_key(float depth);
 
-/// The depth whose key this is; the inverse of depth_key but for the sign of zero.
+/// The depth whose key this is; the inverse of depth_key except for the sign of zero.
 float pelage_depth_from_key(uint key);
 
 // ---------------------------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ precise float pelage_sqr(float x);
 /// may flush, count as 0.
 precise float pelage_safe_sqrt(float x);
 
-/// x held to [0, 1]; NaN gives 0.
+/// x clamped to [0, 1]; NaN gives 0.
 float pelage_saturate(float x);
 
 /// log₂ x from + − × alone, so that every machine agrees on its bits. For normal x > 0 within

@@ -90,7 +90,7 @@ precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fi
   const vec3 last_along = pelage_cross_product(side, last_view);
 
   // The wider of the two ends, as seen, serves both: a near end can hide a far one whole. What lies between them is
-  // no wider, as distance is convex, but for the stretch, which is greatest where the axis is nearest to the eye.
+  // no wider, as distance is convex, except for the stretch, which is greatest where the axis is nearest to the eye.
   const float first_seen = pelage_reach_at(-first.z, fibre_radius, cone, margin) / first_distance;
   const float last_seen = pelage_reach_at(-last.z, fibre_radius, cone, margin) / last_distance;
   float seen = first_seen > last_seen ? first_seen : last_seen;

@@ -18,7 +18,7 @@
 /// counted: the pool is full, or is_fragment() is false. `list`: [0, list_count()). Wait-free, O(1).
 ///
 /// (1) The exchange is relaxed: no thread reads a list while others push, and atomic exchanges on one head still
-/// give each pusher its own predecessor. (2) Likewise relaxed; only the barrier after the phase publishes it.
+/// give each pusher its own predecessor. (2) Relaxed as well; only the barrier after the phase publishes it.
 pelage_fragment pelage_a_buffer_push(uint list, pelage_fragment offered);
 
 /// The first node of a list, or no_node(). Not concurrent with push.

@@ -30,7 +30,7 @@ void pelage_span_vertex_storage_write_vertex(uint pelage_n, pelage_deep_shadow_v
 /// depth. Begin, add() every fragment nearest first, finish(); `count` is then the number of vertices, at most 2 a
 /// fragment. O(1) a fragment. One thread builds a texel.
 ///
-/// Depths, of look-ups too, are held to [-2¹⁰⁰, 2¹⁰⁰], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: no slope
+/// Depths, of look-ups too, are clamped to [-2¹⁰⁰, 2¹⁰⁰], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: no slope
 /// then leaves a float's range.
 struct pelage_deep_shadow_builder {
   uint first;                      ///< of the texel's vertices in the storage
@@ -49,7 +49,7 @@ struct pelage_deep_shadow_builder {
 /// A builder for the vertices from `first` on. `max_error`: [0, 1]; below 1e-6, or NaN: the truth itself.
 precise pelage_deep_shadow_builder pelage_deep_shadow_builder_begin(uint first, float max_error);
 
-/// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: held to [0, 1].
+/// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: clamped to [0, 1].
 void pelage_deep_shadow_builder_add(precise inout pelage_deep_shadow_builder self, float depth, float alpha);
 
 /// Writes what is still open.

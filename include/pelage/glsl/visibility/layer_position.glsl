@@ -26,7 +26,7 @@ precise float pelage_growing_layer_width(float extent, uint layers);
 /// The layer that a position lies in, [0, layers): the position's end belongs to the last. `position`: [0, layers].
 uint pelage_layer_at(float position, uint layers);
 
-/// x held to [0, high]; NaN gives 0.
+/// x clamped to [0, high]; NaN gives 0.
 float pelage_held_position(float x, float high) {
   return x > 0.0 ? (x < high ? x : high) : 0.0;
 }
@@ -49,7 +49,7 @@ float pelage_equal_layer_position(float offset, float width, uint layers) {
 
 precise float pelage_growing_layer_position(float offset, float width, uint layers) {
   const float end = float(layers);
-  // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is held to 0.
+  // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is clamped to 0.
   const float widths = pelage_held_position(pelage_offset_in_widths(offset, width), 0.5 * end * (end + 1.0));
   const float layer = floor(0.5 * (sqrt(8.0 * widths + 1.0) - 1.0));
   const float inside = (widths - 0.5 * layer * (layer + 1.0)) / (layer + 1.0);
