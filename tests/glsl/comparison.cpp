@@ -152,7 +152,7 @@ void compare(const kernel& k, const std::vector<rc::Gen<std::uint32_t>>& inputs,
       line.ulps = std::max(line.ulps, worst);
       ++line.rows;
       if (!close) {
-        std::string message = std::string(k.path) + ", " + c.function + " on " + gpu.name() + ", off by " +
+        std::string message = std::string(k.name) + ", " + c.function + " on " + gpu.name() + ", off by " +
                               std::to_string(worst) + " ulp: expected";
         for (std::size_t i = 0; i < c.words; ++i) {
           char text[96];

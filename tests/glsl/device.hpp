@@ -7,32 +7,26 @@
 #include <string>
 #include <vector>
 
+#include "vulkan/device.hpp"
+#include "vulkan/kernel.hpp"
+
 namespace pelage::test {
 
-/// A compute shader, compiled when the tests were built.
-struct kernel {
-  const char* path;  ///< of its source, for messages
-  std::span<const std::uint32_t> spirv;
-};
+using vulkan::kernel;
 
-/// A Vulkan device without a screen. The loader is opened at run time, so a machine without one still starts the
-/// tests and reads what is missing.
+/// A Vulkan device for one kernel at a time. A machine without one still starts the tests and reads what is missing.
 ///
-/// PELAGE_DEVICE picks the device by a part of its name (`nvidia`, `llvmpipe`); without it the first GPU, else the
-/// first device. PELAGE_WORKGROUP sets the invocations in a workgroup; without it 64, on a CPU 8.
+/// PELAGE_WORKGROUP sets the invocations in a workgroup; without it 64, on a CPU a subgroup.
 class device {
  public:
   device();  ///< throws std::runtime_error with one line that says what failed
-  ~device();
-  device(const device&) = delete;
-  device& operator=(const device&) = delete;
 
-  [[nodiscard]] const std::string& name() const;
-  [[nodiscard]] bool is_cpu() const;
-  [[nodiscard]] bool has_atomic_int64() const;  ///< on 64-bit words of buffers
-  [[nodiscard]] std::uint32_t workgroup() const;
-  [[nodiscard]] bool validated() const;            ///< the validation layer is on
-  [[nodiscard]] std::uint32_t complaints() const;  ///< messages of the validation layer so far
+  [[nodiscard]] const std::string& name() const { return device_.name(); }
+  [[nodiscard]] bool is_cpu() const { return device_.physical().is_cpu(); }
+  [[nodiscard]] bool has_atomic_int64() const { return device_.has_64_bit_atomics(); }
+  [[nodiscard]] std::uint32_t workgroup() const { return workgroup_; }
+  [[nodiscard]] bool validated() const { return device_.driver().validated(); }
+  [[nodiscard]] std::uint32_t complaints() const { return device_.driver().complaints(); }
 
   /// Runs at least `invocations` of a kernel, `workgroup` at a time, 0 for workgroup(). Buffer i is bound to binding i
   /// and comes back as the kernel left it; the last one is filled by the kernel alone.
@@ -40,8 +34,8 @@ class device {
            std::uint32_t workgroup = 0);
 
  private:
-  struct state;
-  std::unique_ptr<state> state_;
+  vulkan::device device_;
+  std::uint32_t workgroup_;
 };
 
 /// The device of this process, or null after one line on stderr if there is none.

@@ -89,7 +89,7 @@ void compare_with_double(const kernel& k, const std::vector<rc::Gen<std::uint32_
         char text[160];
         std::snprintf(text, sizeof text, ", part %zu on %s off by %.3g: expected %.17g got %.9g, given", i,
                       the_device()->name().c_str(), error, value, got);
-        RC_FAIL(std::string(k.path) + ", " + c.function + text + as_text(run.inputs(r)));
+        RC_FAIL(std::string(k.name) + ", " + c.function + text + as_text(run.inputs(r)));
       }
     }
   }

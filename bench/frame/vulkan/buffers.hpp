@@ -4,9 +4,11 @@
 #include <cstdint>
 
 #include "frame/stage.hpp"
-#include "frame/vulkan/device.hpp"
+#include "vulkan/device.hpp"
 
 namespace pelage::frame::vulkan {
+
+using pelage::vulkan::device;
 
 /// The buffers of the shaders: what they hold is said where they are declared, in shaders/*.glsl.
 enum binding : std::uint32_t {
@@ -33,7 +35,8 @@ enum binding : std::uint32_t {
   cell_buffer,
   blended_buffer,
   stamp_buffer,
-  block_limit_buffer
+  block_limit_buffer,
+  buffer_count
 };
 
 /// The words of shaders/scene.glsl's report of a view.

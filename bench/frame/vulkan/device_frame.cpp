@@ -34,7 +34,7 @@ struct pass_of {
   std::vector<std::size_t> steps;
 };
 
-std::vector<pass_of> passes_of(const std::vector<step>& frame) {
+std::vector<pass_of> passes_of(const std::vector<named_steps::name>& frame) {
   std::vector<pass_of> all;
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const auto same = [&](const pass_of& p) { return p.view == frame[i].view && p.name == frame[i].pass; };
@@ -59,7 +59,7 @@ device_frame draw_frame_on_device(const hair_model& model, const frame_settings&
   const stage set = set_up(model, settings);
   session on(set, settings);
   device_frame result{image(settings.width, settings.height), on.device_name(), {}, {}, 0, on.bytes(), 0, frames, 0};
-  const std::vector<pass_of> passes = passes_of(on.frame());
+  const std::vector<pass_of> passes = passes_of(on.frame().names);
   std::vector<std::vector<double>> times(passes.size());
   std::vector<double> whole;
   for (std::uint32_t f = 0; f < frames / 10; ++f)

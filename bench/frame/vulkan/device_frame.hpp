@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "frame/frame.hpp"
+#include "vulkan/no_device.hpp"
 
 namespace pelage::frame {
 
@@ -33,10 +33,7 @@ struct device_frame {
   std::uint32_t same;            ///< of those, how many have that hash
 };
 
-/// There is no device to draw on: no loader, no driver, or a program that was built without either.
-struct no_device : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using pelage::vulkan::no_device;
 
 /// Draws a frame on a Vulkan device, all of it from strands to picture: that of draw_frame() except for rounding, where
 /// segments are lit at their ends alone, whatever the settings' shading_spacing.

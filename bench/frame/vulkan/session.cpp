@@ -7,16 +7,47 @@
 #include <algorithm>
 #include <span>
 #include <stdexcept>
+#include <utility>
+
+#include "frame/vulkan/kernels.hpp"
 
 namespace pelage::frame::vulkan {
 
+using pelage::vulkan::device_options;
+using pelage::vulkan::kernel;
+using pelage::vulkan::step;
+
+namespace {
+
+const device_options wanted{
+    .caller = "--device vulkan",
+    .application = "pelage-frame",
+    .bindings = buffer_count,
+    .has_uniforms = true,
+    .push_bytes = 16,
+    .gpu_workgroup = 256,
+    .timed = true,
+    .validate = false,
+};
+
+const kernel& kernel_called(const std::string& name) {
+  const auto found =
+      std::find_if(kernels::all.begin(), kernels::all.end(), [&](const kernel& one) { return one.name == name; });
+  if (found == kernels::all.end()) throw std::invalid_argument("--device vulkan: there is no kernel " + name);
+  return *found;
+}
+
+}  // namespace
+
 session::session(const stage& set, const frame_settings& settings)
-    : set_(set),
+    : device_(wanted),
+      set_(set),
       k_(settings.k),
       shadows_(has_shadows(settings.shown)),
       light_plan_(plan_of(settings, false)),
       camera_plan_(plan_of(settings, true)),
       constants_(make_scene_block(set, settings)) {
+  check_device();
   if (needs_64_bit_atomics(settings) && !device_.has_64_bit_atomics()) {
     throw std::runtime_error("--device vulkan: " + device_.name() +
                              " has no 64-bit atomics for --order atomic_k_buffer or --blend depth_peeling");
@@ -25,6 +56,28 @@ session::session(const stage& set, const frame_settings& settings)
   upload_constants();
   upload_fibres(device_, set.fibres, set.drawing_order);
   make_buffers();
+}
+
+/// Throws for what the kernels cannot do without; a subgroup of any size up to 64 will do.
+void session::check_device() const {
+  const VkPhysicalDeviceSubgroupProperties& has = device_.physical().subgroups;
+  const VkPhysicalDeviceLimits& limits = device_.physical().properties.limits;
+  constexpr VkSubgroupFeatureFlags needed = VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT |
+                                            VK_SUBGROUP_FEATURE_ARITHMETIC_BIT | VK_SUBGROUP_FEATURE_BALLOT_BIT |
+                                            VK_SUBGROUP_FEATURE_SHUFFLE_BIT;
+  if ((has.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) == 0 || (has.supportedOperations & needed) != needed) {
+    throw std::runtime_error("--device vulkan: " + device_.name() +
+                             " lacks subgroup vote, arithmetic, ballot or shuffle");
+  }
+  if (device_.subgroup() > 64) {  // the pixels of a block: shaders/opaque.comp
+    throw std::runtime_error(fmt::format("--device vulkan: {} has subgroups of {} invocations, at most 64 will do",
+                                         device_.name(), device_.subgroup()));
+  }
+  const std::uint32_t most = std::min(limits.maxComputeWorkGroupInvocations, limits.maxComputeWorkGroupSize[0]);
+  if (most < device_.workgroup()) {
+    throw std::runtime_error(fmt::format("--device vulkan: {} has workgroups of at most {} invocations, {} are needed",
+                                         device_.name(), most, device_.workgroup()));
+  }
 }
 
 void session::read_picture(image& picture) {
@@ -54,25 +107,24 @@ std::uint64_t session::invocations(const view_range& views, over what) const {
   return most;
 }
 
-void session::fill(std::vector<step>& to, const view_range& views, const std::string& what, std::uint32_t binding,
+void session::fill(named_steps& to, const view_range& views, const std::string& what, std::uint32_t binding,
                    std::uint32_t value) const {
-  to.push_back({views.name, "clear " + what, "", binding, value, 0, false, 1, {}, false});
+  step s;
+  s.binding = binding;
+  s.value = value;
+  to.add({views.name, "clear " + what}, std::move(s));
 }
 
-void session::run(std::vector<step>& to, const view_range& views, const std::string& kernel, over what) const {
-  to.push_back({views.name,
-                kernel,
-                kernel,
-                0,
-                0,
-                invocations(views, what),
-                what == over::subgroups,
-                views.end - views.first,
-                {views.first, capacity_, plan_for(views.first).lists, k_},
-                false});
+void session::run(named_steps& to, const view_range& views, const std::string& kernel, over what) const {
+  step s;
+  s.program = &kernel_called(kernel);
+  s.invocations = invocations(views, what) * (what == over::subgroups ? device_.subgroup() : 1);
+  s.layers = views.end - views.first;
+  s.push = {views.first, capacity_, plan_for(views.first).lists, k_};
+  to.add({views.name, kernel}, std::move(s));
 }
 
-void session::run(std::vector<step>& to, const view_range& views, const std::vector<plan::pass>& passes) const {
+void session::run(named_steps& to, const view_range& views, const std::vector<plan::pass>& passes) const {
   for (const plan::pass& p : passes)
     run(to, views, p.kernel, p.what);
 }
@@ -122,15 +174,15 @@ void session::make_buffers() {
   make_frame();
 }
 
-std::vector<view_report> session::run_and_read(const std::vector<step>& steps) {
-  (void)device_.run(steps);
+std::vector<view_report> session::run_and_read(const named_steps& steps) {
+  (void)device_.run(steps.steps);
   std::vector<view_report> read(set_.lights.size() + 1);
   device_.download(report_buffer, std::as_writable_bytes(std::span(read)));
   return read;
 }
 
 /// What every frame begins with.
-void session::begin(std::vector<step>& to) const {
+void session::begin(named_steps& to) const {
   fill(to, all_views(), "reports", report_buffer, 0);
   fill(to, all_views(), "seen", seen_buffer, 0);
   fill(to, all_views(), "block limits", block_limit_buffer, 0);
@@ -139,7 +191,7 @@ void session::begin(std::vector<step>& to) const {
 
 /// Finds how many fragments each view that holds them has at most.
 void session::measure() {
-  std::vector<step> steps;
+  named_steps steps;
   begin(steps);
   fill(steps, all_views(), "counts", count_buffer, 0);
   for (const view_range& views : one_by_one()) {
@@ -185,7 +237,7 @@ void session::make_room() {
 
 /// Counts the fragments of every view once, for the report and for layers.
 void session::tally() {
-  std::vector<step> steps;
+  named_steps steps;
   begin(steps);
   fill(steps, all_views(), "counts", count_buffer, 0);
   run(steps, all_views(), {{"count_drawn", over::segments}, {"tally", over::pixels}});
@@ -203,11 +255,11 @@ void session::finish(const view_range& views) {
   if (views.first == camera()) {
     const std::string maps = light_plan_.maps ? "_occupancy" : "";
     run(frame_, views, {{"shade" + maps, over::points}, {"background" + maps, over::pixels}});
-    frame_.back().beside = true;
-    frame_.back().pass = (frame_.end() - 2)->pass = "shade, background";
+    frame_.steps.back().beside = true;
+    frame_.names.back().pass = (frame_.names.end() - 2)->pass = "shade, background";
   }
   const std::uint32_t layers = p.layer.empty() ? 0 : counted_[views.first].longest;
-  if (frame_.size() + layers * p.layer.size() + p.finish.size() > device::most_steps) {
+  if (frame_.steps.size() + layers * p.layer.size() + p.finish.size() > device::most_steps) {
     throw std::runtime_error(
         fmt::format("--device vulkan: --blend depth_peeling: {} layers are too many for a frame", layers));
   }

@@ -3,17 +3,33 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "frame/image/image.hpp"
 #include "frame/stage.hpp"
 #include "frame/vulkan/buffers.hpp"
-#include "frame/vulkan/device.hpp"
 #include "frame/vulkan/device_frame.hpp"
 #include "frame/vulkan/plan.hpp"
 #include "frame/vulkan/scene_block.hpp"
+#include "vulkan/device.hpp"
 
 namespace pelage::frame::vulkan {
+
+/// What a device does, and under which view and pass each step's time is reported.
+struct named_steps {
+  struct name {
+    std::string view;
+    std::string pass;
+  };
+  std::vector<pelage::vulkan::step> steps;
+  std::vector<name> names;  ///< one a step
+
+  void add(name n, pelage::vulkan::step s) {
+    names.push_back(std::move(n));
+    steps.push_back(std::move(s));
+  }
+};
 
 /// One model and view on one device.
 class session {
@@ -23,8 +39,8 @@ class session {
 
   [[nodiscard]] const std::string& device_name() const { return device_.name(); }
   [[nodiscard]] std::uint64_t bytes() const { return device_.bytes(); }
-  [[nodiscard]] const std::vector<step>& frame() const { return frame_; }
-  [[nodiscard]] std::vector<double> draw() { return device_.run(frame_); }
+  [[nodiscard]] const named_steps& frame() const { return frame_; }
+  [[nodiscard]] std::vector<double> draw() { return device_.run(frame_.steps); }
   void read_picture(image& picture);
   /// One a light with shadows, then the camera's.
   [[nodiscard]] std::vector<device_frame::fragments> read_fragments();
@@ -61,15 +77,16 @@ class session {
   }
 
   [[nodiscard]] std::uint64_t invocations(const view_range& views, over what) const;
-  void fill(std::vector<step>& to, const view_range& views, const std::string& what, std::uint32_t binding,
+  void fill(named_steps& to, const view_range& views, const std::string& what, std::uint32_t binding,
             std::uint32_t value) const;
-  void run(std::vector<step>& to, const view_range& views, const std::string& kernel, over what) const;
-  void run(std::vector<step>& to, const view_range& views, const std::vector<plan::pass>& passes) const;
+  void run(named_steps& to, const view_range& views, const std::string& kernel, over what) const;
+  void run(named_steps& to, const view_range& views, const std::vector<plan::pass>& passes) const;
 
+  void check_device() const;
   void upload_constants();
   void make_buffers();
-  [[nodiscard]] std::vector<view_report> run_and_read(const std::vector<step>& steps);
-  void begin(std::vector<step>& to) const;
+  [[nodiscard]] std::vector<view_report> run_and_read(const named_steps& steps);
+  void begin(named_steps& to) const;
   void measure();
   void make_room();
   void tally();
@@ -86,7 +103,7 @@ class session {
   scene_block constants_;
   std::uint32_t capacity_ = 0;
   std::vector<view_report> counted_;
-  std::vector<step> frame_;
+  named_steps frame_;
 };
 
 }  // namespace pelage::frame::vulkan
