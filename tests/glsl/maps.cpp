@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "glsl/device.hpp"
 #include "glsl/kernels.hpp"
 #include "glsl/offers.hpp"
 #include "property.hpp"

@@ -7,6 +7,7 @@
 #include <bit>
 #include <vector>
 
+#include "glsl/device.hpp"
 #include "glsl/kernels.hpp"
 #include "glsl/offers.hpp"
 #include "property.hpp"
