@@ -1,13 +1,15 @@
 # Copyright (c) 2026 The Pelage authors
 # SPDX-License-Identifier: MIT
-# The Debian packages that the programs of this repository are built with. Sourced, not run.
+# The Debian packages that the programs of this repository are built and checked with. Sourced, not run.
 
 # shellcheck shell=bash disable=SC2034
 pelage_frame_packages=(g++ cmake ninja-build libglm-dev libcli11-dev libfmt-dev nlohmann-json3-dev libstb-dev
   libtbb-dev)
-pelage_test_packages=("${pelage_frame_packages[@]}" clang libclang-rt-14-dev doctest-dev librapidcheck-dev
-  libboost-context-dev python3 glslang-tools glslc spirv-tools libclang-14-dev llvm-14-dev libvulkan-dev
-  mesa-vulkan-drivers vulkan-validationlayers)
+pelage_test_packages=("${pelage_frame_packages[@]}" doctest-dev librapidcheck-dev libboost-context-dev python3
+  glslang-tools glslc spirv-tools libclang-14-dev llvm-14-dev libvulkan-dev mesa-vulkan-drivers
+  vulkan-validationlayers)
+pelage_clang_packages=("${pelage_test_packages[@]}" clang libclang-rt-14-dev)
+pelage_style_packages=("${pelage_test_packages[@]}" clang-format clang-tidy)
 
 # pelage_install PACKAGE...: installs those that are missing; says in one line what it cannot, and exits 2.
 pelage_install() {
