@@ -116,6 +116,5 @@ int main(int argc, char** argv) {
   const auto ast = clang::tooling::buildASTFromCodeWithArgs((*source)->getBuffer(), compiler, instantiate);
   texts files;
   if (ast == nullptr || ast->getDiagnostics().hasErrorOccurred() || !translate(*ast, library, files)) return 1;
-  if (library) files["../glsl.hpp"] = strings_header(files);
   return write(out.getValue(), files) ? 0 : 1;
 }

@@ -108,7 +108,4 @@ inline constexpr const char* memory_order_64_path = "core/memory_order_64.glsl";
 /// Files' texts by their paths.
 using texts = std::map<std::string, std::string>;
 
-/// The header that holds every file's text, includes resolved.
-[[nodiscard]] std::string strings_header(const texts& files);
-
 }  // namespace pelage::codegen

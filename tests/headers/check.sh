@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Copyright (c) 2026 The Pelage authors
 # SPDX-License-Identifier: MIT
-# check.sh INCLUDE_DIR COMPILER FLAG...: each public header compiles alone, and twice; all of them together may
+# check.sh INCLUDE_DIR GENERATED_DIR COMPILER FLAG...: each public header compiles alone, and twice; all of them together may
 # stand in two translation units of one program.
 set -euo pipefail
-include=$1
-shift
-compile=("$@" -I"$include")
+include=$1 generated=$2
+shift 2
+compile=("$@" -I"$generated" -I"$include")
 
-mapfile -t headers < <(cd "$include" && find pelage -name '*.hpp' | sort)
+mapfile -t headers < <(find "$include/pelage" "$generated/pelage" -name '*.hpp' -printf 'pelage/%P\n' | sort -u)
 if ((${#headers[@]} == 0)); then
   echo "no header under $include/pelage" >&2
   exit 1
