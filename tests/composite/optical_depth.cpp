@@ -31,7 +31,7 @@ TEST_CASE("an optical depth is -log2(1 - alpha) within half a unit and fast_log2
   CHECK_MESSAGE(worst.error <= 0x1p-21, worst);
 }
 
-TEST_CASE("alpha is held to [0, 1], NaN counts as 0, and an opaque fragment as 32 octaves") {
+TEST_CASE("alpha is clamped to [0, 1], NaN counts as 0, and an opaque fragment as 32 octaves") {
   for (const float none : {0.0f, -0.0f, -1.0f, -inf, nan}) {
     CHECK(optical_depth(none) == 0u);
   }
@@ -60,7 +60,7 @@ TEST_CASE("to_fixed has an answer outside [0, 4096)") {
   }
 }
 
-TEST_CASE("add_saturating is the sum held to 32 bits") {
+TEST_CASE("add_saturating is the sum clamped to 32 bits") {
   holds("by the sum in 64 bits", [] {
     const auto draw = [] {
       return *rc::gen::oneOf(rc::gen::element(0u, 1u, most), rc::gen::arbitrary<std::uint32_t>());

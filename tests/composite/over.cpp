@@ -33,7 +33,7 @@ TEST_CASE("premultiply scales the colour by alpha and keeps alpha") {
   });
 }
 
-TEST_CASE("over is associative but for rounding") {
+TEST_CASE("over is associative except for rounding") {
   holds("within 4 ulp of white", [] {
     const glm::vec4 a = draw_layer();
     const glm::vec4 b = draw_layer();

@@ -87,7 +87,7 @@ struct wide_sum {
   std::uint32_t held() const { return static_cast<std::uint32_t>(std::min<std::uint64_t>(units, 0xffffffffu)); }
 };
 
-TEST_CASE("every sum is that of 64-bit integers, held to the end of the range by itself") {
+TEST_CASE("every sum is that of 64-bit integers, clamped to the end of the range by itself") {
   holds("sums of alpha and of alpha times colour", [] {
     const std::vector<layer> layers = draw_bright_layers();
     wide_sum weight, red, green, blue;
@@ -156,7 +156,7 @@ TEST_CASE("alphas below 2^-21 are too small for the sums") {
   CHECK(mean_colour(add_fragment(empty_tail(), 0x1p-21f, glm::vec3(1.0f))) == glm::vec3(1.0f));
 }
 
-TEST_CASE("alpha is held to [0, 1], NaN counts as 0") {
+TEST_CASE("alpha is clamped to [0, 1], NaN counts as 0") {
   const glm::vec3 colour(0.5f, 0.25f, 1.0f);
   for (const float none : {-1.0f, -inf, nan}) {
     CHECK(bits(add_fragment(empty_tail(), none, colour)) == bits(empty_tail()));
@@ -166,7 +166,7 @@ TEST_CASE("alpha is held to [0, 1], NaN counts as 0") {
   }
 }
 
-TEST_CASE("NaN and negative colours count as 0, and alpha times colour is held to 4096") {
+TEST_CASE("NaN and negative colours count as 0, and alpha times colour is clamped to 4096") {
   const tail t = add_fragment(empty_tail(), 0.5f, glm::vec3(nan, -1.0f, inf));
   CHECK((t.red == 0u && t.green == 0u && t.blue == 0xffffffffu));
   CHECK(add_fragment(empty_tail(), 0.5f, glm::vec3(8000.0f)).red == 4000u << 20u);

@@ -125,7 +125,7 @@ TEST_CASE("the key of NaN is outside those of the infinities") {
   });
 }
 
-TEST_CASE("depth_from_key inverts depth_key but for the sign of zero") {
+TEST_CASE("depth_from_key inverts depth_key except for the sign of zero") {
   holds("from depth to key and back", [] {
     const float depth = *any_float();
     const float back = depth_from_key(depth_key(depth));

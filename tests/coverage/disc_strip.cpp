@@ -123,7 +123,7 @@ TEST_CASE("the unit of length does not matter, bit for bit in powers of two") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("a wider fibre never covers less but for the stated error, however little wider") {
+TEST_CASE("a wider fibre never covers less except for the stated error, however little wider") {
   worst_case worst;
   for_each_strip<float>(20'000, [&](float offset, float fibre, float disc) {
     const float share = disc_strip_share(offset, fibre, disc);
@@ -183,7 +183,7 @@ TEST_CASE("a cap's share is quadrature's within 3e-8, and both caps of a disc ma
   CHECK_MESSAGE(whole.error < 1e-15, whole);
 }
 
-TEST_CASE("a cap's height is held to [0, 2], and NaN has no share") {
+TEST_CASE("a cap's height is clamped to [0, 2], and NaN has no share") {
   for (const float height : {0.0f, -1.0f, -inf, nan}) {
     CHECK(cap_share(height) == 0.0f);
   }

@@ -63,7 +63,7 @@ std::string refusal(const frame_settings& settings, const hair_model& model = sm
   return "";
 }
 
-TEST_CASE("A device's picture is the processor's but for rounding") {
+TEST_CASE("A device's picture is the processor's except for rounding") {
   for (const components shown : {components::single, components::full}) {
     for (const bool antialias : {false, true}) {
       CAPTURE(static_cast<int>(shown));
@@ -107,7 +107,7 @@ TEST_CASE("Where K holds all fragments the picture is that of sorted lists") {
 
 constexpr blend_method without_lists[]{blend_method::order_weighted, blend_method::depth_peeling};
 
-TEST_CASE("Blended and shadowed without lists, a device's picture is the processor's but for rounding") {
+TEST_CASE("Blended and shadowed without lists, a device's picture is the processor's except for rounding") {
   for (const blend_method blend : without_lists) {
     for (const bool antialias : {false, true}) {
       CAPTURE(static_cast<int>(blend));
@@ -165,7 +165,7 @@ TEST_CASE("A light so near, and a map so coarse, that a texel's disc is wider th
   CHECK(compare(got->picture, expected.picture).rms < 0.001);
 }
 
-TEST_CASE("Light beyond the range of a pixel's sums is held to its end") {
+TEST_CASE("Light beyond the range of a pixel's sums is clamped to its end") {
   frame_settings settings = small_frame(order_method::k_buffer, 4);
   settings.shown = components::translucency;
   settings.blend.method = blend_method::order_weighted;

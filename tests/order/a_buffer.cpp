@@ -34,7 +34,7 @@ std::vector<std::uint64_t> nearest(const auto& storage, std::uint32_t list) {
   return bits(buffer.slot);
 }
 
-TEST_CASE("every list holds exactly what was pushed, but for what the pool refuses and counts") {
+TEST_CASE("every list holds exactly what was pushed, except for what the pool refuses and counts") {
   holds("1 to 8 threads, every capacity", [] {
     const std::vector<offer> offers = *any_offers();
     for (const std::uint32_t capacity : telling_capacities(offers)) {

@@ -41,7 +41,7 @@ std::vector<std::uint32_t> expected_of(const std::vector<std::uint32_t>& values)
   return {bits, least, greatest, static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, 0xffffffffu))};
 }
 
-TEST_CASE("changes end in the same cells for 1 to 8 threads, the sum held to the end of its range") {
+TEST_CASE("changes end in the same cells for 1 to 8 threads, the sum clamped to the end of its range") {
   holds("any values", [] {
     const auto values = *rc::gen::container<std::vector<std::uint32_t>>(
         rc::gen::oneOf(rc::gen::arbitrary<std::uint32_t>(), rc::gen::element<std::uint32_t>(0u, 1u, 0x80000000u),

@@ -86,7 +86,7 @@ template <real_number Real>
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real angle_of(Real y, Real x) noexcept;
 
-/// The angle in [-π/2, π/2] whose sine is x, for |x| ≤ 1, held there; relative error below 4e-7 in float.
+/// The angle in [-π/2, π/2] whose sine is x, x clamped to [-1, 1]; relative error below 4e-7 in float.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real angle_of_sine(Real x) noexcept;
 

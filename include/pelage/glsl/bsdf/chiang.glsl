@@ -18,7 +18,7 @@
 /// made once per material, a view once per hit, and each light costs the rest.
 ///
 /// Frame: x along the fibre towards its tip, y and z across; unit vectors that point away from the fibre.
-/// `h` is where the eye's ray meets the fibre across its width, [-1, 1], held there: sin γ_o.
+/// `h` is where the eye's ray meets the fibre across its width, clamped to [-1, 1]: sin γ_o.
 struct pelage_chiang_parameters {
   float eta;         ///< index of refraction, [1, inf); hair 1.55
   float sigma_a[3];  ///< absorption per fibre radius, [0, inf]

@@ -56,7 +56,7 @@ precise float pelage_unsigned_angle(float y, float x);
 /// atan2(y, x), [-π, π], relative error below 2e-7 in float; (0, 0) gives 0.
 precise float pelage_angle_of(float y, float x);
 
-/// The angle in [-π/2, π/2] whose sine is x, for |x| ≤ 1, held there; relative error below 4e-7 in float.
+/// The angle in [-π/2, π/2] whose sine is x, x clamped to [-1, 1]; relative error below 4e-7 in float.
 precise float pelage_angle_of_sine(float x);
 
 /// A point of the unit circle.
