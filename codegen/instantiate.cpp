@@ -41,6 +41,7 @@
 #include <pelage/core/fragment.hpp>
 #include <pelage/core/math.hpp>
 #include <pelage/core/mixed_bits.hpp>
+#include <pelage/core/real_number.hpp>
 #include <pelage/core/vector_math.hpp>
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
@@ -186,6 +187,7 @@ template stochastic_depths<16u> load_stochastic_depths(const cells&, std::uint32
 template stochastic_depths<13u> load_stochastic_depths(const cells&, std::uint32_t) noexcept;
 
 // bsdf
+template kajiya_kay_lobes<float> kajiya_kay(const vec3&, const vec3&, const vec3&, float) noexcept;
 template float fresnel_dielectric(float, float) noexcept;
 template float fibre_attenuation(float, float) noexcept;
 template interface_shares<float> dielectric_interface(float, float) noexcept;

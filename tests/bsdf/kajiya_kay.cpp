@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <pelage/bsdf/kajiya_kay_lanes.hpp>
+#include <pelage/bsdf/kajiya_kay.hpp>
+#include <pelage/core/lane_math.hpp>
 
 #include "lane_bits.hpp"
 #include "property.hpp"
@@ -35,7 +36,7 @@ void for_each_lighting(See see) {
   }
 }
 
-kajiya_kay_lobes lobes_of(const lit_tangent& in, float exponent) {
+kajiya_kay_lobes<float> lobes_of(const lit_tangent& in, float exponent) {
   return kajiya_kay(glm::vec3(in.tangent), glm::vec3(in.to_light), glm::vec3(in.to_eye), exponent);
 }
 
@@ -142,7 +143,7 @@ TEST_CASE("lobes of lanes are those of single fibres, bit for bit") {
       const vector tangent = unit_vector(vector(x, y, x * y));
       const vector to_light = unit_vector(vector(y, x + y, x));
       const vector to_eye = unit_vector(vector(x - y, y, y));
-      const auto lobes = kajiya_kay(tangent, to_light, to_eye, exponent);
+      const auto lobes = kajiya_kay(tangent, to_light, to_eye, decltype(x)(exponent));
       return lobes.diffuse + decltype(x)(3.0f) * lobes.specular;
     });
   };

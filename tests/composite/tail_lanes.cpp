@@ -39,7 +39,7 @@ void check_fragments() {
       alone[tail_of[k]] = add_fragment(alone[tail_of[k]], alpha[k], glm::vec3(red[k], green[k], blue[k]));
     }
   }
-  const lane_points<W> colour{lanes<W>::load(red.data()), lanes<W>::load(green.data()), lanes<W>::load(blue.data())};
+  const lane_vector<W> colour{lanes<W>::load(red.data()), lanes<W>::load(green.data()), lanes<W>::load(blue.data())};
   add_fragments(lanes<W>::load(alpha.data()), colour, set, tail_of, together);
   for (std::size_t i = 0; i < 3; ++i)
     RC_ASSERT(same_tail(together[i], alone[i]));

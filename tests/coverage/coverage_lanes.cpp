@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <pelage/coverage/coverage_lanes.hpp>
+#include <pelage/core/lane_math.hpp>
+#include <pelage/coverage/closest_points.hpp>
+#include <pelage/coverage/disc_strip.hpp>
 
 #include "property.hpp"
 
@@ -35,7 +37,7 @@ template <int W>
 struct any_points {
   values<W> x = any_values<W>(), y = any_values<W>(), z = any_values<W>();
 
-  [[nodiscard]] lane_points<W> packed() const {
+  [[nodiscard]] lane_vector<W> packed() const {
     return {lanes<W>::load(x.data()), lanes<W>::load(y.data()), lanes<W>::load(z.data())};
   }
   [[nodiscard]] glm::vec3 at(std::size_t k) const { return {x[k], y[k], z[k]}; }
@@ -70,7 +72,8 @@ void check_closest_points() {
     default:
       break;
   }
-  const closest_lanes<W> found = closest_points(origin.packed(), direction.packed(), start.packed(), end.packed());
+  const closest_pair<lanes<W>> found =
+      closest_points(origin.packed(), direction.packed(), start.packed(), end.packed());
   for (std::size_t k = 0; k < W; ++k) {
     const closest_pair<float> alone = closest_points(origin.at(k), direction.at(k), start.at(k), end.at(k));
     RC_ASSERT(same_value(lane_of(found.along_ray, k), alone.along_ray));

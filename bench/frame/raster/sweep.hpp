@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/lane_math.hpp>
 #include <pelage/core/lane_moves.hpp>
-#include <pelage/coverage/coverage_lanes.hpp>
 
 #include <algorithm>
 #include <array>
@@ -239,16 +239,16 @@ inline raster::touches raster::sweep::look_at(integers place) const {
   const lane_mask<width> before_end = past(end_) < own(end_on_);  // seen end on, all are 0
 
   const pack scale(v.scale);
-  const lane_points<width> across{(x - pack(0.5F * static_cast<float>(v.width))) / scale,
+  const lane_vector<width> across{(x - pack(0.5F * static_cast<float>(v.width))) / scale,
                                   (pack(0.5F * static_cast<float>(v.height)) - y) / scale, zero};
-  const lane_points<width> nowhere{zero, zero, zero};
-  const lane_points<width> origin = v.perspective ? nowhere : across;
+  const lane_vector<width> nowhere{zero, zero, zero};
+  const lane_vector<width> origin = v.perspective ? nowhere : across;
   const pack ahead(-1.0F);
-  const lane_points<width> direction =
-      v.perspective ? lane_points<width>{across.x, across.y, ahead} : lane_points<width>{zero, zero, ahead};
-  const lane_points<width> start{own(start_.x), own(start_.y), own(start_.z)};
-  const lane_points<width> end{own(end_.x), own(end_.y), own(end_.z)};
-  const closest_lanes<width> pair = closest_points(origin, direction, start, end);
+  const lane_vector<width> direction =
+      v.perspective ? lane_vector<width>{across.x, across.y, ahead} : lane_vector<width>{zero, zero, ahead};
+  const lane_vector<width> start{own(start_.x), own(start_.y), own(start_.z)};
+  const lane_vector<width> end{own(end_.x), own(end_.y), own(end_.z)};
+  const closest_pair<lanes<width>> pair = closest_points(origin, direction, start, end);
 
   const pack disc = pack(v.cone.base) + pack(v.cone.slope) * select(pair.along_ray > zero, pair.along_ray, zero);
   const pack start_radius = own(start_.radius);

@@ -3,7 +3,8 @@
 #include "frame/shading/fibre_bsdf.hpp"
 
 #include <pelage/bsdf/dual_scattering_table.hpp>
-#include <pelage/bsdf/kajiya_kay_lanes.hpp>
+#include <pelage/bsdf/kajiya_kay.hpp>
+#include <pelage/core/lane_math.hpp>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -131,7 +132,7 @@ glm::vec<3, Real> fibre_bsdf::own_colour(const fibre_place_of<Real>& at) const {
 template <class Real>
 glm::vec<3, Real> fibre_bsdf::kajiya_kay_share(const fibre_place_of<Real>& at,
                                                const glm::vec<3, Real>& to_light) const {
-  const auto lobes = kajiya_kay(at.tangent, to_light, at.to_eye, exponent);
+  const auto lobes = kajiya_kay(at.tangent, to_light, at.to_eye, Real(exponent));
   return Real(diffuse_weight) * lobes.diffuse * own_colour(at) +
          glm::vec<3, Real>(Real(specular_weight) * lobes.specular);
 }

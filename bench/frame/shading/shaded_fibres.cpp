@@ -97,11 +97,11 @@ glm::vec3 shaded_fibres::at(std::uint32_t segment, float along) const {
   return glm::mix(place_[first + before], place_[first + before + 1], position - static_cast<float>(before));
 }
 
-lane_points<seen_lanes::width> shaded_fibres::at(const seen_lanes& all) const {
+lane_vector<seen_lanes::width> shaded_fibres::at(const seen_lanes& all) const {
   using pack = seen_lanes::pack;
   using integers = seen_lanes::integers;
   if (first_.empty()) {
-    lane_points<seen_lanes::width> found;
+    lane_vector<seen_lanes::width> found;
     for (int k = 0; k < seen_lanes::width; ++k) {
       const glm::vec3 one = at(static_cast<std::uint32_t>(all.id[k]), all.along.lane[k]);
       found.x.lane[k] = one.x;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/coverage/coverage_lanes.hpp>
+#include <pelage/core/lane_math.hpp>
 
 #include <glm/glm.hpp>
 #include <cstdint>
@@ -29,7 +29,7 @@ class shaded_fibres {
   [[nodiscard]] glm::vec3 at(std::uint32_t segment, float along) const;
 
   /// The same for each of a vector's fragments.
-  [[nodiscard]] lane_points<seen_lanes::width> at(const seen_lanes& all) const;
+  [[nodiscard]] lane_vector<seen_lanes::width> at(const seen_lanes& all) const;
 
   /// Evaluations that the constructor made.
   [[nodiscard]] std::size_t evaluations() const { return place_.size(); }

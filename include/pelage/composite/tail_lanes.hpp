@@ -5,7 +5,6 @@
 #include <pelage/composite/tail.hpp>
 #include <pelage/core/lane_math.hpp>
 #include <pelage/core/lane_moves.hpp>
-#include <pelage/coverage/coverage_lanes.hpp>
 
 #include <array>
 #include <bit>
@@ -19,14 +18,14 @@ namespace pelage {
 /// behind[tail_of[k]]. The same tails, bit for bit, NaN included. set: [0, 2^W); tail_of[k]: [0, behind.size()) where
 /// lane k is set, else any number; one tail may stand there many times. O(W).
 template <int W>
-[[gnu::always_inline]] inline void add_fragments(lanes<W> alpha, const lane_points<W>& colour, std::uint32_t set,
+[[gnu::always_inline]] inline void add_fragments(lanes<W> alpha, const lane_vector<W>& colour, std::uint32_t set,
                                                  const std::array<std::uint32_t, std::size_t{W}>& tail_of,
                                                  std::span<tail> behind) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
 template <int W>
-void add_fragments(lanes<W> alpha, const lane_points<W>& colour, std::uint32_t set,
+void add_fragments(lanes<W> alpha, const lane_vector<W>& colour, std::uint32_t set,
                    const std::array<std::uint32_t, std::size_t{W}>& tail_of, std::span<tail> behind) noexcept {
   static_assert(offsetof(tail, blue) == 4 * sizeof(std::uint32_t) && sizeof(tail) == 5 * sizeof(std::uint32_t));
   const lanes<W> held = saturate(alpha);

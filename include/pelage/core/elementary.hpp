@@ -14,23 +14,8 @@ namespace pelage {
 /// Functions that a loose driver gets wrong in the fourth digit, from + − × ÷ and √ alone: float has its own
 /// polynomials, the same bits on every machine that rounds as IEEE 754 asks; wider types use std::.
 ///
-/// Nothing here branches on data in float, so a type that packs many floats runs through the same text: see
-/// core/lanes.hpp, which supplies the functions marked "packed types overload".
-template <class T>
-struct is_packed : std::false_type {};
-
-/// A number that the formulas below can be written in: float, a wider floating-point type, or a pack of floats.
-template <class T>
-concept real_number = std::floating_point<T> || is_packed<T>::value;
-
-/// a where the condition holds, else b. Packed types overload. Both are evaluated.
-template <std::floating_point Real>
-[[nodiscard]] constexpr Real select(bool condition, Real a, Real b) noexcept;
-
-/// √x; a negative x or NaN gives NaN. Packed types overload.
-template <std::floating_point Real>
-[[nodiscard, gnu::always_inline]] inline Real square_root(Real x) noexcept;
-
+/// Nothing here branches on data in float, so that a type that packs many floats runs through the same text: see
+/// core/real_number.hpp; core/lanes.hpp supplies the functions marked "packed types overload".
 /// x without its fraction, towards 0, for |x| < 2³¹. Packed types overload.
 template <std::floating_point Real>
 [[nodiscard]] constexpr Real whole_part(Real x) noexcept;
@@ -113,16 +98,6 @@ template <real_number Real>
                                                                     const rotation<Real>& b) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
-
-template <std::floating_point Real>
-constexpr Real select(bool condition, Real a, Real b) noexcept {
-  return condition ? a : b;
-}
-
-template <std::floating_point Real>
-Real square_root(Real x) noexcept {
-  return std::sqrt(x);
-}
 
 template <std::floating_point Real>
 constexpr Real whole_part(Real x) noexcept {

@@ -11,15 +11,13 @@
 
 namespace pelage {
 
-/// Functions of core/math.hpp and core/vector_math.hpp for W floats at once, on the CPU alone: each lane has the bits
-/// that the scalar function gives, and its contract.
+/// Functions of core/math.hpp that work on a float's bits, for W floats at once, on the CPU alone: each lane has the
+/// bits that the scalar function gives, and its contract.
 
 /// W points or directions.
 template <int W>
 using lane_vector = glm::vec<3, lanes<W>, glm::defaultp>;
 
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> saturate(lanes<W> x) noexcept;
 template <int W>
 [[nodiscard, gnu::always_inline]] inline lanes<W> fast_log2(lanes<W> x) noexcept;
 template <int W>
@@ -27,24 +25,7 @@ template <int W>
 template <int W>
 [[nodiscard, gnu::always_inline]] inline lanes<W> power_of_cosine(lanes<W> x, lanes<W> y) noexcept;
 
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> dot_product(const lane_vector<W>& a,
-                                                              const lane_vector<W>& b) noexcept;
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lane_vector<W> cross_product(const lane_vector<W>& a,
-                                                                      const lane_vector<W>& b) noexcept;
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> vector_length(const lane_vector<W>& v) noexcept;
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lane_vector<W> unit_vector(const lane_vector<W>& v) noexcept;
-
 // ---------------------------------------------------------------------------------------------------------
-
-template <int W>
-lanes<W> saturate(lanes<W> x) noexcept {
-  const lanes<W> one(1.0f);
-  return select(x > lanes<W>(0.0f), select(x < one, x, one), lanes<W>(0.0f));
-}
 
 template <int W>
 lanes<W> fast_log2(lanes<W> x) noexcept {
@@ -100,26 +81,6 @@ lanes<W> power_of_cosine(lanes<W> x, lanes<W> y) noexcept {
   const lanes<W> power = select(x < least_normal, lanes<W>(0.0f), fast_exp2(y * fast_log2(x)));
   const lanes<W> of_number = select(lane_mask<W>{x.lane != x.lane}, lanes<W>(0.0f), power);
   return select(y < least_normal, lanes<W>(1.0f), of_number);
-}
-
-template <int W>
-lanes<W> dot_product(const lane_vector<W>& a, const lane_vector<W>& b) noexcept {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <int W>
-lane_vector<W> cross_product(const lane_vector<W>& a, const lane_vector<W>& b) noexcept {
-  return lane_vector<W>(a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y);
-}
-
-template <int W>
-lanes<W> vector_length(const lane_vector<W>& v) noexcept {
-  return square_root(dot_product(v, v));
-}
-
-template <int W>
-lane_vector<W> unit_vector(const lane_vector<W>& v) noexcept {
-  return v * (lanes<W>(1.0f) / square_root(dot_product(v, v)));
 }
 
 }  // namespace pelage

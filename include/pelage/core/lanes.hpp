@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/real_number.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -92,7 +93,11 @@ template <int W>
 template <int W>
 [[nodiscard, gnu::always_inline]] inline lane_mask<W> operator>(lanes<W> a, lanes<W> b) noexcept;
 
-/// The four functions of core/elementary.hpp that a packed type brings along.
+/// The functions of core/real_number.hpp and core/elementary.hpp that a packed type brings along.
+template <int W>
+[[nodiscard, gnu::always_inline]] inline bool holds_for_any(lane_mask<W> condition) noexcept;
+template <int W>
+[[nodiscard, gnu::always_inline]] inline bool holds_for_all(lane_mask<W> condition) noexcept;
 template <int W>
 [[nodiscard, gnu::always_inline]] inline lanes<W> select(lane_mask<W> condition, lanes<W> a, lanes<W> b) noexcept;
 template <int W>
@@ -178,6 +183,16 @@ std::uint32_t bits(lane_mask<W> mask) noexcept {
     set |= mask.lane[k] != 0 ? 1u << k : 0u;
   }
   return set;
+}
+
+template <int W>
+bool holds_for_any(lane_mask<W> condition) noexcept {
+  return bits(condition) != 0u;
+}
+
+template <int W>
+bool holds_for_all(lane_mask<W> condition) noexcept {
+  return bits(condition) == all_bits<W>();
 }
 
 template <int W>

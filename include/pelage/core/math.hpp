@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/real_number.hpp>
+
 #include <bit>
 #include <cmath>
 #include <concepts>
@@ -19,8 +21,8 @@ template <std::floating_point Real>
 [[nodiscard]] Real safe_sqrt(Real x) noexcept;
 
 /// x clamped to [0, 1]; NaN gives 0.
-template <std::floating_point Real>
-[[nodiscard]] constexpr Real saturate(Real x) noexcept;
+template <real_number Real>
+[[nodiscard, gnu::always_inline]] inline constexpr Real saturate(Real x) noexcept;
 
 /// log₂ x from + − × alone, so that every machine agrees on its bits. For normal x > 0 within
 /// 1e-7 · max(1, |log₂ x|). Zero, denormals and negatives give -126, the least exponent; NaN gives NaN, +inf 128.
@@ -46,9 +48,9 @@ Real safe_sqrt(Real x) noexcept {
   return x >= std::numeric_limits<Real>::min() ? std::sqrt(x) : Real(0);
 }
 
-template <std::floating_point Real>
+template <real_number Real>
 constexpr Real saturate(Real x) noexcept {
-  return x > Real(0) ? (x < Real(1) ? x : Real(1)) : Real(0);
+  return select(x > Real(0), select(x < Real(1), x, Real(1)), Real(0));
 }
 
 constexpr float fast_log2(float x) noexcept {

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/math.hpp>
+#include <pelage/core/real_number.hpp>
 #include <pelage/core/vector_math.hpp>
 
 #include <glm/vec3.hpp>
 
-#include <concepts>
-
 namespace pelage {
 
 /// Where a ray and a fibre's segment pass each other most closely.
-template <std::floating_point Real>
+template <real_number Real>
 struct closest_pair {
   Real along_ray;      ///< the pseudo depth: position on the ray in lengths of its direction, [0, inf)
   Real along_segment;  ///< position on the segment, [0, 1] from its first end to its second
@@ -26,33 +25,34 @@ struct closest_pair {
 /// Points behind the origin are clamped to it. NaN in gives a NaN depth and distance; `along_segment` stays in [0, 1].
 /// The distance is right within 8 ulp of the two ends' distances from the origin, added up; the depth is as
 /// ill-conditioned as the angle between ray and segment is small.
-template <std::floating_point Real>
-[[nodiscard]] closest_pair<Real> closest_points(const glm::vec<3, Real>& origin, const glm::vec<3, Real>& direction,
-                                                const glm::vec<3, Real>& start, const glm::vec<3, Real>& end) noexcept;
+template <real_number Real>
+[[nodiscard, gnu::always_inline]] inline closest_pair<Real> closest_points(const glm::vec<3, Real>& origin,
+                                                                           const glm::vec<3, Real>& direction,
+                                                                           const glm::vec<3, Real>& start,
+                                                                           const glm::vec<3, Real>& end) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
-template <std::floating_point Real>
+template <real_number Real>
 closest_pair<Real> closest_points(const glm::vec<3, Real>& origin, const glm::vec<3, Real>& direction,
                                   const glm::vec<3, Real>& start, const glm::vec<3, Real>& end) noexcept {
   const glm::vec<3, Real> axis = end - start;
   const glm::vec<3, Real> offset = start - origin;
   const Real direction2 = dot_product(direction, direction);
-  const Real axis2 = dot_product(axis, axis);
 
   // Seen along the ray the segment is offset × d + s (axis × d): the least of that is the closest point. The cross
   // products keep the digits that d·d a·a - (d·a)² loses when the two are nearly parallel.
   const glm::vec<3, Real> offset_seen = cross_product(offset, direction);
   const glm::vec<3, Real> axis_seen = cross_product(axis, direction);
   const Real seen2 = dot_product(axis_seen, axis_seen);
-  Real s = dot_product(axis, direction) < Real(0) ? Real(1) : Real(0);
-  if (seen2 > Real(0)) {
-    s = saturate(-dot_product(offset_seen, axis_seen) / seen2);
-  }
+  const Real end_on = select(dot_product(axis, direction) < Real(0), Real(1), Real(0));
+  Real s = select(seen2 > Real(0), saturate((Real(0) - dot_product(offset_seen, axis_seen)) / seen2), end_on);
   Real t = dot_product(offset + s * axis, direction) / direction2;
-  if (t < Real(0)) {
-    t = Real(0);
-    s = axis2 > Real(0) ? saturate(-dot_product(offset, axis) / axis2) : Real(0);
+  if (holds_for_any(t < Real(0))) {
+    const Real axis2 = dot_product(axis, axis);
+    const Real nearest = saturate((Real(0) - dot_product(offset, axis)) / axis2);
+    s = select(t < Real(0), select(axis2 > Real(0), nearest, Real(0)), s);
+    t = select(t < Real(0), Real(0), t);
   }
   const glm::vec<3, Real> gap = offset + s * axis - t * direction;
   return closest_pair<Real>{t, s, vector_length(gap)};

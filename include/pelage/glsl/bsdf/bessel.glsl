@@ -5,6 +5,7 @@
 #define PELAGE_BSDF_BESSEL_GLSL
 
 #include "../core/elementary.glsl"
+#include "../core/real_number.glsl"
 
 /// I₀(x) = value · e^growth, the modified Bessel function of the first kind without its overflow. The growth is x or
 /// 0, so that it can be added to an exponent that cancels it before anything is exponentiated.

@@ -8,6 +8,7 @@
 #include "chiang.glsl"
 #include "longitudinal.glsl"
 #include "../core/elementary.glsl"
+#include "../core/real_number.glsl"
 
 /// The BSDF itself and its density, as a path tracer wants them.
 struct pelage_chiang_bsdf {

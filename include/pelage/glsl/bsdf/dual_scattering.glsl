@@ -5,6 +5,7 @@
 #define PELAGE_BSDF_DUAL_SCATTERING_GLSL
 
 #include "../core/elementary.glsl"
+#include "../core/real_number.glsl"
 
 /// Light that many fibres have scattered before it reaches the eye, from averages of one fibre: forward through the
 /// fibres in front (global), and back from those behind (local). [Zinke 2008]

@@ -5,6 +5,7 @@
 #define PELAGE_BSDF_INTERFACE_GLSL
 
 #include "../core/elementary.glsl"
+#include "../core/real_number.glsl"
 
 /// What a smooth dielectric surface does with unpolarised light. Both parts keep their relative precision: at grazing
 /// incidence 1 - reflected has lost what `transmitted` still has, at normal incidence the reverse.

@@ -5,6 +5,7 @@
 #define PELAGE_BSDF_KAJIYA_KAY_GLSL
 
 #include "../core/math.glsl"
+#include "../core/real_number.glsl"
 #include "../core/vector_math.glsl"
 
 /// The two lobes of a fibre lit from one direction. [Kajiya & Kay 1989, §4]
@@ -31,7 +32,8 @@ precise pelage_kajiya_kay_lobes pelage_kajiya_kay(vec3 tangent, vec3 to_light, v
   const float across_light = pelage_saturate(pelage_vector_length(pelage_cross_product(tangent, to_light)));
   const float across_eye = pelage_saturate(pelage_vector_length(pelage_cross_product(tangent, to_eye)));
   const float cosine = pelage_saturate(across_light * across_eye - along_light * along_eye);
-  return pelage_kajiya_kay_lobes(across_light, cosine > 0.0 ? pelage_power_of_cosine(cosine, exponent) : 0.0);
+  return pelage_kajiya_kay_lobes(across_light,
+                                 pelage_select(cosine > 0.0, pelage_power_of_cosine(cosine, exponent), 0.0));
 }
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "bessel.glsl"
 #include "../core/elementary.glsl"
+#include "../core/real_number.glsl"
 
 /// A direction by its fibre: θ is its inclination from the plane at right angles to the fibre. The azimuth is kept as
 /// a vector of that plane, of any length but 0, so that none of its digits is lost to an angle.

@@ -8,6 +8,7 @@
 #include "scattering_roots.glsl"
 #include "../core/elementary.glsl"
 #include "../core/math.glsl"
+#include "../core/real_number.glsl"
 
 /// Hair seen from afar, light averaged over a fibre's width: R, TT and TRT as Gaussians along the fibre times exact
 /// optics of a smooth circular section round it. [Marschner 2003]

@@ -22,6 +22,7 @@ uint[PELAGE_MEAN_PASSAGE_PANELS] PELAGE_MEAN_PASSAGE_PANELS_has_one_value_in_a_s
 #include "chiang.glsl"
 #include "chiang_far_field.glsl"
 #include "../core/elementary.glsl"
+#include "../core/real_number.glsl"
 
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name

@@ -5,6 +5,7 @@
 #define PELAGE_BSDF_SCATTERING_ROOTS_GLSL
 
 #include "../core/elementary.glsl"
+#include "../core/real_number.glsl"
 
 /// The places across a fibre's width from which light leaves at one azimuth: all h with φ(p, h) = φ, where
 /// φ(p, h) = 2pγ_t - 2γ_i + pπ, sin γ_i = h, sin γ_t = h/η′. [Marschner 2003 §5.2, Eq. 9]

@@ -5,13 +5,13 @@
 #define PELAGE_CORE_ELEMENTARY_GLSL
 
 #include "math.glsl"
+#include "real_number.glsl"
 
-/// a where the condition holds, else b. Packed types overload. Both are evaluated.
-float pelage_select(bool condition, float a, float b);
-
-/// √x; a negative x or NaN gives NaN. Packed types overload.
-precise float pelage_square_root(float x);
-
+/// Functions that a loose driver gets wrong in the fourth digit, from + − × ÷ and √ alone: float has its own
+/// polynomials, the same bits on every machine that rounds as IEEE 754 asks; wider types use std::.
+///
+/// Nothing here branches on data in float, so that a type that packs many floats runs through the same text: see
+/// core/real_number.hpp; core/lanes.hpp supplies the functions marked "packed types overload".
 /// x without its fraction, towards 0, for |x| < 2³¹. Packed types overload.
 float pelage_whole_part(float x);
 
@@ -76,14 +76,6 @@ precise pelage_rotation pelage_turned_by(pelage_rotation a, pelage_rotation b);
 precise pelage_rotation pelage_turned_back(pelage_rotation a, pelage_rotation b);
 
 // ---------------------------------------------------------------------------------------------------------
-
-float pelage_select(bool condition, float a, float b) {
-  return condition ? a : b;
-}
-
-precise float pelage_square_root(float x) {
-  return sqrt(x);
-}
 
 float pelage_whole_part(float x) {
   return float(int(x));

@@ -4,6 +4,8 @@
 #ifndef PELAGE_CORE_MATH_GLSL
 #define PELAGE_CORE_MATH_GLSL
 
+#include "real_number.glsl"
+
 /// x².
 precise float pelage_sqr(float x);
 
@@ -37,7 +39,7 @@ precise float pelage_safe_sqrt(float x) {
 }
 
 float pelage_saturate(float x) {
-  return x > 0.0 ? (x < 1.0 ? x : 1.0) : 0.0;
+  return pelage_select(x > 0.0, pelage_select(x < 1.0, x, 1.0), 0.0);
 }
 
 precise float pelage_fast_log2(float x) {

@@ -4,6 +4,8 @@
 #ifndef PELAGE_CORE_VECTOR_MATH_GLSL
 #define PELAGE_CORE_VECTOR_MATH_GLSL
 
+#include "real_number.glsl"
+
 /// Products and lengths of vectors as plain sums from x on: the bits of glm::dot and its like, on shaders' machines
 /// too. A driver may fuse the built-in ones, which then leave 2e-8 of a × a and lose digits where sums cancel.
 
@@ -14,7 +16,7 @@ precise float pelage_dot_product(vec3 a, vec3 b);
 precise vec3 pelage_cross_product(vec3 a, vec3 b);
 
 /// |v|, within 2 ulp where its square neither overflows nor underflows.
-precise float pelage_vector_length(vec3 v);
+float pelage_vector_length(vec3 v);
 
 /// v/|v|, a length of 1 within 2 ulp; 0 gives NaN.
 precise vec3 pelage_unit_vector(vec3 v);
@@ -29,12 +31,12 @@ precise vec3 pelage_cross_product(vec3 a, vec3 b) {
   return vec3(a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y);
 }
 
-precise float pelage_vector_length(vec3 v) {
-  return sqrt(pelage_dot_product(v, v));
+float pelage_vector_length(vec3 v) {
+  return pelage_square_root(pelage_dot_product(v, v));
 }
 
 precise vec3 pelage_unit_vector(vec3 v) {
-  return v * (1.0 / sqrt(pelage_dot_product(v, v)));
+  return v * (1.0 / pelage_square_root(pelage_dot_product(v, v)));
 }
 
 #endif

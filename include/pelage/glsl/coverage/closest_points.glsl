@@ -5,6 +5,7 @@
 #define PELAGE_COVERAGE_CLOSEST_POINTS_GLSL
 
 #include "../core/math.glsl"
+#include "../core/real_number.glsl"
 #include "../core/vector_math.glsl"
 
 /// Where a ray and a fibre's segment pass each other most closely.
@@ -30,21 +31,21 @@ precise pelage_closest_pair pelage_closest_points(vec3 origin, vec3 direction, v
   const vec3 axis = end - start;
   const vec3 offset = start - origin;
   const float direction2 = pelage_dot_product(direction, direction);
-  const float axis2 = pelage_dot_product(axis, axis);
 
   // Seen along the ray the segment is offset × d + s (axis × d): the least of that is the closest point. The cross
   // products keep the digits that d·d a·a - (d·a)² loses when the two are nearly parallel.
   const vec3 offset_seen = pelage_cross_product(offset, direction);
   const vec3 axis_seen = pelage_cross_product(axis, direction);
   const float seen2 = pelage_dot_product(axis_seen, axis_seen);
-  float s = pelage_dot_product(axis, direction) < 0.0 ? 1.0 : 0.0;
-  if (seen2 > 0.0) {
-    s = pelage_saturate(-pelage_dot_product(offset_seen, axis_seen) / seen2);
-  }
+  const float end_on = pelage_select(pelage_dot_product(axis, direction) < 0.0, 1.0, 0.0);
+  float s =
+      pelage_select(seen2 > 0.0, pelage_saturate((0.0 - pelage_dot_product(offset_seen, axis_seen)) / seen2), end_on);
   float t = pelage_dot_product(offset + s * axis, direction) / direction2;
-  if (t < 0.0) {
-    t = 0.0;
-    s = axis2 > 0.0 ? pelage_saturate(-pelage_dot_product(offset, axis) / axis2) : 0.0;
+  if (pelage_holds_for_any(t < 0.0)) {
+    const float axis2 = pelage_dot_product(axis, axis);
+    const float nearest = pelage_saturate((0.0 - pelage_dot_product(offset, axis)) / axis2);
+    s = pelage_select(t < 0.0, pelage_select(axis2 > 0.0, nearest, 0.0), s);
+    t = pelage_select(t < 0.0, 0.0, t);
   }
   const vec3 gap = offset + s * axis - t * direction;
   return pelage_closest_pair(t, s, pelage_vector_length(gap));

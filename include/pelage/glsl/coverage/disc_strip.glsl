@@ -4,6 +4,8 @@
 #ifndef PELAGE_COVERAGE_DISC_STRIP_GLSL
 #define PELAGE_COVERAGE_DISC_STRIP_GLSL
 
+#include "../core/real_number.glsl"
+
 /// The share of a pixel's disc that a fibre's strip covers, [0, 1]: circle minus the caps on the strip's two sides,
 /// over the circle. [Yu12 §6]
 ///
@@ -25,8 +27,8 @@ precise float pelage_cap_share(float h);
 
 precise float pelage_cap_share(float h) {
   // h^(3/2) times a polynomial: the area's own shape at h = 0, and no singularity nearer than h = 2.
-  const float whole = h > 0.0 ? (h < 2.0 ? h : 2.0) : 0.0;
-  const float small = whole > 1.0 ? 2.0 - whole : whole;
+  const float whole = pelage_select(h > 0.0, pelage_select(h < 2.0, h, 2.0), 0.0);
+  const float small = pelage_select(whole > 1.0, 2.0 - whole, whole);
   float p = -0.00017731884;
   p = p * small + 0.000137821731;
   p = p * small - 0.000604818362;
@@ -34,38 +36,40 @@ precise float pelage_cap_share(float h) {
   p = p * small - 0.00805321381;
   p = p * small - 0.090030634;
   p = p * small + 0.600210866;
-  const float share = small * sqrt(small) * p;
-  return whole > 1.0 ? 1.0 - share : share;
+  const float share = small * pelage_square_root(small) * p;
+  return pelage_select(whole > 1.0, 1.0 - share, share);
 }
 
 precise float pelage_disc_strip_share(float offset, float fibre_radius, float disc_radius) {
-  const float d = offset < 0.0 ? -offset : offset;
-  const float wide = fibre_radius > disc_radius ? fibre_radius : disc_radius;
-  const float thin = fibre_radius > disc_radius ? disc_radius : fibre_radius;
+  const float d = pelage_select(offset < 0.0, 0.0 - offset, offset);
+  const float wide = pelage_select(fibre_radius > disc_radius, fibre_radius, disc_radius);
+  const float thin = pelage_select(fibre_radius > disc_radius, disc_radius, fibre_radius);
   // How far the strip's near edge reaches into the disc. Subtracting from the wider one first is exact where the
   // whole sum is small.
   const float reach = (wide - d) + thin;
-  if (!(reach > 0.0) || !(fibre_radius > 0.0) || !(disc_radius >= 0.0) || disc_radius == uintBitsToFloat(0x7f800000u)) {
-    return 0.0;
-  }
-  if (reach >= 2.0 * disc_radius) {
-    return 1.0;
-  }
   const float left_over = (disc_radius - d) - fibre_radius;
-  if (left_over <= 0.0) {
-    return pelage_cap_share(reach / disc_radius);
-  }
   const float rho = fibre_radius / disc_radius;
   const float edge = (disc_radius - d) / disc_radius;
-  if (edge <= 4.0 * rho) {
-    return pelage_cap_share(reach / disc_radius) - pelage_cap_share(left_over / disc_radius);
+
+  float share = 0.0;
+  if (!pelage_holds_for_all(edge > 4.0 * rho)) {
+    const float near = pelage_cap_share(reach / disc_radius);
+    share = pelage_select(left_over > 0.0, near - pelage_cap_share(left_over / disc_radius), near);
   }
-  // Three Gauss points over the strip's width; at four half widths from the rim their error is below 1e-6.
-  const float middle = sqrt(edge * (2.0 - edge));
-  const float lower = edge - 0.7745966692414834 * rho;
-  const float upper = edge + 0.7745966692414834 * rho;
-  const float sides = sqrt(lower * (2.0 - lower)) + sqrt(upper * (2.0 - upper));
-  return rho * (8.0 * middle + 5.0 * sides) * 0.07073553026306459;
+  if (pelage_holds_for_any(edge > 4.0 * rho)) {
+    // Three Gauss points over the strip's width; at four half widths from the rim their error is below 1e-6.
+    const float middle = pelage_square_root(edge * (2.0 - edge));
+    const float lower = edge - 0.7745966692414834 * rho;
+    const float upper = edge + 0.7745966692414834 * rho;
+    const float sides = pelage_square_root(lower * (2.0 - lower)) + pelage_square_root(upper * (2.0 - upper));
+    const float strip = rho * (8.0 * middle + 5.0 * sides) * 0.07073553026306459;
+    share = pelage_select(left_over > 0.0, pelage_select(edge > 4.0 * rho, strip, share), share);
+  }
+  share = pelage_select(reach < 2.0 * disc_radius, share, 1.0);
+  share = pelage_select(reach > 0.0, share, 0.0);
+  share = pelage_select(fibre_radius > 0.0, share, 0.0);
+  share = pelage_select(disc_radius < uintBitsToFloat(0x7f800000u), share, 0.0);
+  return pelage_select(disc_radius < 0.0, 0.0, share);
 }
 
 #endif
