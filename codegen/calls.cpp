@@ -107,8 +107,9 @@ std::string translator::call(const CallExpr* c, position at) {
   const FunctionDecl* f = c->getDirectCallee();
   if (f == nullptr) return reject(c, "call through a pointer or of a callable object");
   const std::string name = f->getQualifiedNameAsString();
-  // std::atomic_ref has no minimum before C++26: the library's own stands for GLSL's.
+  // std::atomic_ref has no minimum and maximum before C++26: the library's own stand for GLSL's.
   if (name == "pelage::fetch_minimum") return atomic(c, c->getArg(0), "fetch_min", 1, at);
+  if (name == "pelage::fetch_maximum") return atomic(c, c->getArg(0), "fetch_max", 1, at);
   if (const auto* m = dyn_cast<CXXMemberCallExpr>(c)) {
     const Expr* object = m->getImplicitObjectArgument();
     if (std::regex_search(name, std::regex("^std::(__)?atomic_ref"))) {

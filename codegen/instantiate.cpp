@@ -6,8 +6,8 @@
 ///
 /// Left out is what has no meaning in a shader: headers that do for a whole span on a CPU, in vectors or blocks, what a
 /// mirrored one does for one pixel or fibre (core/lanes, order/block_list_storage, k_select, nearest_keys,
-/// lane_network, vector_lanes, slice_sort, visibility/occupancy_batch, bsdf/chiang_batch, chiang_quad), and core/assert
-/// and core/fetch_minimum, which stand for what GLSL lacks and for what it has.
+/// lane_network, vector_lanes, slice_sort, visibility/occupancy_batch, bsdf/chiang_batch, chiang_quad), and
+/// core/assert, which stands for what GLSL lacks.
 #include <pelage/bsdf/azimuthal.hpp>
 #include <pelage/bsdf/bessel.hpp>
 #include <pelage/bsdf/chiang.hpp>
@@ -37,6 +37,7 @@
 #include <pelage/composite/weighted_average.hpp>
 #include <pelage/composite/weighted_blended.hpp>
 #include <pelage/composite/weighted_sum.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/elementary.hpp>
 #include <pelage/core/fragment.hpp>
 #include <pelage/core/math.hpp>
@@ -58,7 +59,6 @@
 #include <pelage/order/sorting_network.hpp>
 #include <pelage/order/split_slot_storage.hpp>
 #include <pelage/order/two_pass_k_buffer.hpp>
-#include <pelage/visibility/cell_storage.hpp>
 #include <pelage/visibility/deep_shadow_map.hpp>
 #include <pelage/visibility/deep_shadow_vertex.hpp>
 #include <pelage/visibility/density_clusters.hpp>
@@ -71,9 +71,16 @@
 namespace pelage {
 
 using vec3 = glm::vec3;
+using cells = atomic_cell_storage;
 using colour = std::array<float, 3>;
 
 // core
+template void set_bits(cells&, std::uint32_t, std::uint32_t) noexcept;
+template void lower_cell(cells&, std::uint32_t, std::uint32_t) noexcept;
+template void raise_cell(cells&, std::uint32_t, std::uint32_t) noexcept;
+template void add_to_cell(cells&, std::uint32_t, std::uint32_t) noexcept;
+template void add_and_mark(cells&, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t) noexcept;
+template std::uint32_t load_marked(const cells&, std::uint32_t, std::uint32_t, std::uint32_t) noexcept;
 template float sqr(float) noexcept;
 template float safe_sqrt(float) noexcept;
 template float saturate(float) noexcept;
@@ -138,11 +145,6 @@ template fragment two_pass_k_buffer::at<16u>(const atomic_split_slot_storage&, s
 template fragment two_pass_k_buffer::at<13u>(const atomic_split_slot_storage&, std::uint32_t, std::uint32_t) noexcept;
 
 // visibility
-using cells = atomic_cell_storage;
-template void set_bits(cells&, std::uint32_t, std::uint32_t) noexcept;
-template void lower_cell(cells&, std::uint32_t, std::uint32_t) noexcept;
-template void raise_cell(cells&, std::uint32_t, std::uint32_t) noexcept;
-template void add_to_cell(cells&, std::uint32_t, std::uint32_t) noexcept;
 template void extend_depth_range(cells&, std::uint32_t, float) noexcept;
 template depth_range load_depth_range(const cells&, std::uint32_t) noexcept;
 template struct occupancy_map<128u, 4u>;
@@ -175,10 +177,8 @@ template glm::vec4 over(const glm::vec4&, const glm::vec4&) noexcept;
 template pixel_radiance<float> empty_pixel() noexcept;
 template pixel_radiance<float> add_fibre(const pixel_radiance<float>&, const vec3&, const vec3&, float) noexcept;
 template vec3 resolve(const pixel_radiance<float>&, const vec3&) noexcept;
-template void atomic_tail::add(atomic_tail_storage&, std::uint32_t, const tail&) noexcept;
-template tail atomic_tail::load(const atomic_tail_storage&, std::uint32_t) noexcept;
-template void add_to_tail(cells&, std::uint32_t, const tail&) noexcept;
-template tail load_tail(const cells&, std::uint32_t) noexcept;
+template void atomic_tail::add(cells&, std::uint32_t, const tail&) noexcept;
+template tail atomic_tail::load(const cells&, std::uint32_t) noexcept;
 template struct stochastic_depths<16u>;
 template struct stochastic_depths<13u>;
 template void add_to_stochastic_depths<16u>(cells&, std::uint32_t, fragment, float, std::uint32_t) noexcept;

@@ -61,6 +61,7 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
                               .Case("fetch_or", "atomicOr")
                               .Case("fetch_xor", "atomicXor")
                               .Case("fetch_min", "atomicMin")
+                              .Case("fetch_max", "atomicMax")
                               .Default(nullptr);
   if (operation == nullptr) return reject(c, "std::atomic_ref::" + name + " has no GLSL form");
   const std::string value = fenced("pelage_release", arg(0), arg(1));

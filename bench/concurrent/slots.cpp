@@ -28,7 +28,7 @@ class cascade : public contender {
   }
   [[nodiscard]] std::uint64_t checksum() const override {
     place_sum sum;
-    for (std::uint32_t slot = 0; slot < storage_.slot_count(); ++slot) {
+    for (std::uint32_t slot = 0; slot < storage_.size(); ++slot) {
       if (slot % K == 0) {
         sum.begin_list();
       }

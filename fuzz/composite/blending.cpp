@@ -3,6 +3,7 @@
 //
 // Blending without order: any bits for depths, opacities, weights and colours; no order changes a bit, and nothing
 // makes a NaN.
+#include <pelage/composite/atomic_tail.hpp>
 #include <pelage/composite/order_weighted.hpp>
 #include <pelage/composite/stochastic.hpp>
 #include <pelage/composite/weighted_average.hpp>
@@ -41,7 +42,7 @@ bool is_colour(const glm::vec3& c) {
 void check_sums(const std::vector<layer>& all, const glm::vec3& background) {
   tail sum = empty_tail();
   tail backwards = empty_tail();
-  std::array<std::uint32_t, 5> cells{};
+  std::array<std::uint32_t, tail_words()> cells{};
   atomic_cell_storage storage{cells};
   weighted_average mean = weighted_average::empty();
   weighted_average halves = weighted_average::empty();
@@ -50,13 +51,14 @@ void check_sums(const std::vector<layer>& all, const glm::vec3& background) {
     const layer& other = all[all.size() - 1 - i];
     sum = add_weighted(sum, one.alpha, one.weight, one.colour);
     backwards = add_weighted(backwards, other.alpha, other.weight, other.colour);
-    add_to_tail(storage, 0u, add_weighted(empty_tail(), one.alpha, one.weight, one.colour));
+    atomic_tail::add(storage, 0u, add_weighted(empty_tail(), one.alpha, one.weight, one.colour));
     mean.add(one.alpha, one.colour);
     weighted_average single = weighted_average::empty();
     single.add(other.alpha, other.colour);
     halves.merge(single);
   }
-  law(same_bits(sum, backwards) && same_bits(sum, load_tail(storage, 0u)), "a weighted sum depends on no order");
+  law(same_bits(sum, backwards) && same_bits(sum, atomic_tail::load(storage, 0u)),
+      "a weighted sum depends on no order");
   law(is_colour(resolve(sum, background)), "a weighted sum is a colour");
   law(same_bits(mean.sums, halves.sums) && mean.count == halves.count, "a weighted average depends on no order");
   law(mean.transmittance() >= 0.0f && mean.transmittance() <= 1.0f, "what passes an average is in [0, 1]");

@@ -46,9 +46,8 @@ void check_tail(std::vector<layer> layers, std::size_t cut) {
   const tail back = in_turn(std::vector<layer>(layers.begin() + static_cast<std::ptrdiff_t>(cut), layers.end()));
   fuzz::law(equal(merge(front, back), forwards) && equal(merge(back, front), forwards), "tails merge in any way");
 
-  std::array<std::uint32_t, tail_words()> words;
-  atomic_tail_storage storage{words};
-  storage.clear();
+  std::array<std::uint32_t, tail_words()> words{};
+  atomic_cell_storage storage{words};
   std::reverse(layers.begin(), layers.end());
   for (const layer& l : layers) {
     atomic_tail::add(storage, 0u, add_fragment(empty_tail(), l.alpha, l.colour));

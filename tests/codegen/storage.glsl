@@ -109,6 +109,7 @@ void features_cells_change(uint pelage_i, uint pelage_value) {
   atomicOr(FEATURES_CELLS_WORDS(pelage_i + 2u), pelage_value);
   atomicXor(FEATURES_CELLS_WORDS(pelage_i + 3u), pelage_value);
   atomicMin(FEATURES_CELLS_WORDS(pelage_i + 4u), pelage_value);
+  atomicMax(FEATURES_CELLS_WORDS(pelage_i + 7u), pelage_value);
 }
 
 uint64_t features_cells_load_wide(uint pelage_i, int pelage_order) {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/core/fetch_minimum.hpp>
+#include <pelage/core/atomic_cells.hpp>
 
 #include <array>
 #include <atomic>
@@ -42,6 +42,7 @@ struct cells {
     std::atomic_ref(words[i + 2u]).fetch_or(value, std::memory_order_relaxed);
     std::atomic_ref(words[i + 3u]).fetch_xor(value, std::memory_order_relaxed);
     pelage::fetch_minimum(std::atomic_ref(words[i + 4u]), value, std::memory_order_relaxed);
+    pelage::fetch_maximum(std::atomic_ref(words[i + 7u]), value, std::memory_order_relaxed);
   }
   [[nodiscard]] std::uint64_t load_wide(std::uint32_t i, std::memory_order order) const noexcept {
     return std::atomic_ref(wides[i]).load(order);

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
+#include <pelage/composite/atomic_tail.hpp>
 #include <pelage/composite/order_weighted.hpp>
 #include <pelage/composite/weighted_average.hpp>
 #include <pelage/composite/weighted_blended.hpp>
@@ -120,14 +121,14 @@ TEST_CASE("threads leave the bits of the plain sum in their pixel and nothing in
     const std::vector<layer> layers = draw_layers();
     const tail expected = order_weighted_sum(layers);
     for (std::uint32_t threads = 1u; threads <= 8u; threads *= 2u) {
-      cells_of<shaken_cells> storage(15u, 0u);
+      cells_of<shaken_cells> storage(3u * tail_words(), 0u);
       deal_to_threads(threads, layers.size(), [&](std::size_t i) {
         const float weight = order_weight(layers[i].alpha, static_cast<float>(i));
-        add_to_tail(storage, 1u, add_weighted(empty_tail(), layers[i].alpha, weight, layers[i].colour));
+        atomic_tail::add(storage, 1u, add_weighted(empty_tail(), layers[i].alpha, weight, layers[i].colour));
       });
-      RC_ASSERT(bits(load_tail(storage, 1u)) == bits(expected));
-      RC_ASSERT(bits(load_tail(storage, 0u)) == bits(empty_tail()));
-      RC_ASSERT(bits(load_tail(storage, 2u)) == bits(empty_tail()));
+      RC_ASSERT(bits(atomic_tail::load(storage, 1u)) == bits(expected));
+      RC_ASSERT(bits(atomic_tail::load(storage, 0u)) == bits(empty_tail()));
+      RC_ASSERT(bits(atomic_tail::load(storage, 2u)) == bits(empty_tail()));
     }
   });
 }

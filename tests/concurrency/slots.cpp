@@ -24,8 +24,8 @@ const inserts small = {{{2.0f, 7u}, {1.0f, 8u}}, {{2.0f, 3u}}};
 /// A minimum in two steps, each atomic.
 struct minimum_in_two_steps : watched_slots {
   using watched_slots::watched_slots;
-  std::uint64_t min_slot(std::uint32_t slot, std::uint64_t value, order o) {
-    const std::uint64_t held = load_slot(slot, o);
+  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order o) {
+    const std::uint64_t held = load(slot, o);
     cell(slot).store(std::min(held, value), o);
     return held;
   }
@@ -34,8 +34,8 @@ struct minimum_in_two_steps : watched_slots {
 /// The exchange is not verified: what came in between is overwritten.
 struct exchanges_blindly : watched_slots {
   using watched_slots::watched_slots;
-  std::uint64_t min_slot(std::uint32_t slot, std::uint64_t value, order o) {
-    const std::uint64_t held = load_slot(slot, o);
+  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order o) {
+    const std::uint64_t held = load(slot, o);
     return value < held ? cell(slot).exchange(value, o) : held;
   }
 };
@@ -43,8 +43,8 @@ struct exchanges_blindly : watched_slots {
 /// A minimum by compare-exchange that is tried once.
 struct minimum_without_retry : watched_slots {
   using watched_slots::watched_slots;
-  std::uint64_t min_slot(std::uint32_t slot, std::uint64_t value, order o) {
-    std::uint64_t held = load_slot(slot, relaxed);
+  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order o) {
+    std::uint64_t held = load(slot, relaxed);
     if (value < held) {
       (void)cell(slot).compare_exchange_strong(held, value, o, relaxed);
     }
@@ -55,44 +55,43 @@ struct minimum_without_retry : watched_slots {
 /// The cascade carries on what it put in, not what it found.
 struct carries_the_smaller : watched_slots {
   using watched_slots::watched_slots;
-  std::uint64_t min_slot(std::uint32_t slot, std::uint64_t value, order o) {
-    return std::min(watched_slots::min_slot(slot, value, o), value);
+  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order o) {
+    return std::min(watched_slots::fetch_min(slot, value, o), value);
   }
 };
 
 /// (1) and (2) compare depths alone, so that a tie passes over a slot that it should have taken.
 struct looks_at_depth_alone : watched_slots {
   using watched_slots::watched_slots;
-  [[nodiscard]] std::uint64_t load_slot(std::uint32_t slot, order o) const {
-    return watched_slots::load_slot(slot, o) & 0xffffffff00000000u;
+  [[nodiscard]] std::uint64_t load(std::uint32_t slot, order o) const {
+    return watched_slots::load(slot, o) & 0xffffffff00000000u;
   }
 };
 
 /// (1) looks at the first slot in place of the last.
 struct refuses_too_early : watched_slots {
   using watched_slots::watched_slots;
-  [[nodiscard]] std::uint64_t load_slot(std::uint32_t slot, order o) const {
-    return watched_slots::load_slot(world::current().thread() >= 0 && slot == slot_count() - 1u ? 0u : slot, o);
+  [[nodiscard]] std::uint64_t load(std::uint32_t slot, order o) const {
+    return watched_slots::load(world::current().thread() >= 0 && slot == size() - 1u ? 0u : slot, o);
   }
 };
 
 /// Everything seq_cst: a correct variant.
 struct seq_cst_slots : watched_slots {
   using watched_slots::watched_slots;
-  [[nodiscard]] std::uint64_t load_slot(std::uint32_t slot, order) const {
-    return watched_slots::load_slot(slot, std::memory_order_seq_cst);
+  [[nodiscard]] std::uint64_t load(std::uint32_t slot, order) const {
+    return watched_slots::load(slot, std::memory_order_seq_cst);
   }
-  std::uint64_t min_slot(std::uint32_t slot, std::uint64_t value, order) {
-    return watched_slots::min_slot(slot, value, std::memory_order_seq_cst);
+  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order) {
+    return watched_slots::fetch_min(slot, value, std::memory_order_seq_cst);
   }
 };
 
 /// No value is passed over unseen: a correct variant, as loads that were always stale would make it.
 struct passes_nothing_over : watched_slots {
   using watched_slots::watched_slots;
-  [[nodiscard]] std::uint64_t load_slot(std::uint32_t slot, order o) const {
-    return world::current().thread() >= 0 ? std::numeric_limits<std::uint64_t>::max()
-                                          : watched_slots::load_slot(slot, o);
+  [[nodiscard]] std::uint64_t load(std::uint32_t slot, order o) const {
+    return world::current().thread() >= 0 ? std::numeric_limits<std::uint64_t>::max() : watched_slots::load(slot, o);
   }
 };
 

@@ -18,6 +18,7 @@ namespace {
 using namespace pelage;
 using namespace pelage::explore;
 
+/// cell_storage of watched cells, with the atomics of hardware.
 class watched_words {
  public:
   watched_words() {
@@ -25,21 +26,36 @@ class watched_words {
       words_.emplace_back("word " + std::to_string(i));
     }
   }
-  [[nodiscard]] std::uint32_t word_count() const { return tail_words(); }
-  [[nodiscard]] std::uint32_t load_word(std::uint32_t word, std::memory_order order) const {
+  [[nodiscard]] std::uint32_t size() const { return tail_words(); }
+  [[nodiscard]] std::uint32_t load(std::uint32_t word, std::memory_order order) const {
     return words_[word].load(order);
   }
-  std::uint32_t add_word(std::uint32_t word, std::uint32_t value, std::memory_order order) {
+  std::uint32_t fetch_add(std::uint32_t word, std::uint32_t value, std::memory_order order) {
     return words_[word].fetch_add(value, order);
   }
-  void or_word(std::uint32_t word, std::uint32_t bits, std::memory_order order) { words_[word].fetch_or(bits, order); }
+  std::uint32_t fetch_or(std::uint32_t word, std::uint32_t bits, std::memory_order order) {
+    return words_[word].fetch_or(bits, order);
+  }
+  std::uint32_t fetch_min(std::uint32_t word, std::uint32_t value, std::memory_order order) {
+    return words_[word].fetch_min(value, order);
+  }
+  std::uint32_t fetch_max(std::uint32_t word, std::uint32_t value, std::memory_order order) {
+    return words_[word].fetch_max(value, order);
+  }
+  std::uint32_t compare_exchange(std::uint32_t word, std::uint32_t expected, std::uint32_t desired,
+                                 std::memory_order order) {
+    words_[word].compare_exchange_strong(expected, desired, order, std::memory_order_relaxed);
+    return expected;
+  }
 
  protected:
   std::vector<watched_atomic<std::uint32_t>> words_;
 };
 
+static_assert(cell_storage<watched_words>);
+
 struct adds_in_two_steps : watched_words {
-  std::uint32_t add_word(std::uint32_t word, std::uint32_t value, std::memory_order order) {
+  std::uint32_t fetch_add(std::uint32_t word, std::uint32_t value, std::memory_order order) {
     const std::uint32_t held = words_[word].load(order);
     words_[word].store(held + value, order);
     return held;
@@ -47,13 +63,15 @@ struct adds_in_two_steps : watched_words {
 };
 
 struct sets_bits_in_two_steps : watched_words {
-  void or_word(std::uint32_t word, std::uint32_t bits, std::memory_order order) {
-    words_[word].store(words_[word].load(order) | bits, order);
+  std::uint32_t fetch_or(std::uint32_t word, std::uint32_t bits, std::memory_order order) {
+    const std::uint32_t held = words_[word].load(order);
+    words_[word].store(held | bits, order);
+    return held;
   }
 };
 
 struct forgets_the_end : watched_words {
-  void or_word(std::uint32_t, std::uint32_t, std::memory_order) {}
+  std::uint32_t fetch_or(std::uint32_t, std::uint32_t, std::memory_order) { return 0u; }
 };
 
 /// Threads that add tails; in the end their merge() must be there.

@@ -20,7 +20,7 @@ inline std::string show_packed(std::uint64_t packed) {
   return packed == pack(no_fragment()) ? "-" : text.str();
 }
 
-/// slot_storage of watched cells, with an atomic minimum as hardware has it.
+/// falling_cells of watched cells, with an atomic minimum as hardware has it.
 class watched_slots {
  public:
   explicit watched_slots(std::uint32_t count) {
@@ -30,11 +30,11 @@ class watched_slots {
     }
   }
 
-  [[nodiscard]] std::uint32_t slot_count() const { return static_cast<std::uint32_t>(slots_.size()); }
-  [[nodiscard]] std::uint64_t load_slot(std::uint32_t slot, std::memory_order order) const {
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(slots_.size()); }
+  [[nodiscard]] std::uint64_t load(std::uint32_t slot, std::memory_order order) const {
     return slots_[slot].load(order);
   }
-  std::uint64_t min_slot(std::uint32_t slot, std::uint64_t value, std::memory_order order) {
+  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, std::memory_order order) {
     return slots_[slot].fetch_min(value, order);
   }
   [[nodiscard]] watched_atomic<std::uint64_t>& cell(std::uint32_t slot) { return slots_[slot]; }
@@ -51,12 +51,12 @@ class watched_slots {
   std::vector<watched_atomic<std::uint64_t>> slots_;
 };
 
-static_assert(slot_storage<watched_slots>);
+static_assert(falling_cells<watched_slots, std::uint64_t>);
 
 /// The same with the library's minimum by compare-exchange.
 struct watched_exchanged_slots : watched_slots {
   using watched_slots::watched_slots;
-  std::uint64_t min_slot(std::uint32_t slot, std::uint64_t value, std::memory_order order) {
+  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, std::memory_order order) {
     return fetch_minimum(cell(slot), value, order);
   }
 };

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <pelage/composite/atomic_tail.hpp>
 #include <pelage/composite/stochastic.hpp>
-#include <pelage/composite/weighted_sum.hpp>
 #include <pelage/core/mixed_bits.hpp>
 #include <pelage/visibility/density_clusters.hpp>
 #include <pelage/visibility/depth_range.hpp>
@@ -28,7 +27,7 @@ constexpr std::uint32_t range_cells = 2;
 constexpr std::uint32_t layers = 16;
 constexpr std::uint32_t clusters = 4;
 constexpr std::uint32_t samples = 16;
-constexpr std::uint32_t sums = 5;
+constexpr std::uint32_t sums = tail_words();
 constexpr std::uint32_t cells_of_texel =
     range_cells + occupancy::cells + layers + density_clusters<clusters>::cells + samples + sums;
 
@@ -36,7 +35,6 @@ constexpr std::uint32_t cells_of_texel =
 struct map_cells {
   std::uint32_t texels;
   std::vector<std::uint32_t> cells;
-  std::vector<std::uint32_t> words;
   std::uint32_t begin = 0;
 
   /// The cells of the next kind of map.
@@ -46,7 +44,7 @@ struct map_cells {
     return part;
   }
 
-  explicit map_cells(std::uint32_t n) : texels(n), cells(n * cells_of_texel), words(n * tail_words()) {
+  explicit map_cells(std::uint32_t n) : texels(n), cells(n * cells_of_texel) {
     for (std::uint32_t t = 0; t < n; ++t) {
       cells[2 * t] = depth_range::empty().nearest;
       cells[2 * t + 1] = depth_range::empty().farthest;
@@ -70,9 +68,7 @@ struct map_cells {
     atomic_cell_storage stochastic = next(samples);
     add_to_stochastic_depths<samples>(stochastic, texel, f, share, 7U);
     atomic_cell_storage tails = next(sums);
-    add_to_tail(tails, texel, one);
-    atomic_tail_storage exact{words};
-    atomic_tail::add(exact, texel, one);
+    atomic_tail::add(tails, texel, one);
   }
 
   /// What loading a texel gives, map after map.
@@ -92,8 +88,7 @@ struct map_cells {
     give(density.sum);
     give(density.squares);
     give(load_stochastic_depths<samples>(next(samples), texel).nearest);
-    give_tail(load_tail(next(sums), texel));
-    give_tail(atomic_tail::load(atomic_tail_storage{words}, texel));
+    give_tail(atomic_tail::load(next(sums), texel));
     return all;
   }
 };
@@ -112,10 +107,9 @@ TEST_CASE("Maps that 65536 invocations build at once equal those built one by on
       expected.add(i % texels, fragments[i]);
 
     std::vector<std::uint32_t> offers = offers_of(0U, texels, fragments);
-    std::vector<std::uint32_t>* const buffers[] = {&offers, &built.cells, &built.words};
+    std::vector<std::uint32_t>* const buffers[] = {&offers, &built.cells};
     the_device()->run(kernels::maps, static_cast<std::uint32_t>(fragments.size()), buffers);
     CHECK(built.cells == expected.cells);
-    CHECK(built.words == expected.words);
 
     std::vector<std::uint32_t> expected_loaded;
     for (std::uint32_t t = 0; t < texels; ++t) {
@@ -123,7 +117,7 @@ TEST_CASE("Maps that 65536 invocations build at once equal those built one by on
       expected_loaded.insert(expected_loaded.end(), one.begin(), one.end());
     }
     std::vector<std::uint32_t> loaded(expected_loaded.size());
-    std::vector<std::uint32_t>* const with_result[] = {&offers, &built.cells, &built.words, &loaded};
+    std::vector<std::uint32_t>* const with_result[] = {&offers, &built.cells, &loaded};
     the_device()->run(kernels::loaded_maps, static_cast<std::uint32_t>(fragments.size()), with_result);
     CHECK(loaded == expected_loaded);
   }

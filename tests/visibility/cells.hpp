@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/visibility/cell_storage.hpp>
+#include <pelage/core/atomic_cells.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -28,14 +29,26 @@ class cells_of : public Storage {
 
 /// Lets other threads run at times between the load of a cell and its change.
 struct shaken_cells : atomic_cell_storage {
-  std::uint32_t compare_exchange_cell(std::uint32_t cell, std::uint32_t expected, std::uint32_t desired,
-                                      std::memory_order order) {
+  std::uint32_t fetch_min(std::uint32_t cell, std::uint32_t value, std::memory_order order) {
     give_way();
-    return atomic_cell_storage::compare_exchange_cell(cell, expected, desired, order);
+    return fetch_minimum(shaken{std::atomic_ref(cells[cell])}, value, order);
   }
-  std::uint32_t fetch_or_cell(std::uint32_t cell, std::uint32_t bits, std::memory_order order) {
+  std::uint32_t fetch_max(std::uint32_t cell, std::uint32_t value, std::memory_order order) {
     give_way();
-    return atomic_cell_storage::fetch_or_cell(cell, bits, order);
+    return fetch_maximum(shaken{std::atomic_ref(cells[cell])}, value, order);
+  }
+  std::uint32_t fetch_or(std::uint32_t cell, std::uint32_t bits, std::memory_order order) {
+    give_way();
+    return atomic_cell_storage::fetch_or(cell, bits, order);
+  }
+  std::uint32_t fetch_add(std::uint32_t cell, std::uint32_t amount, std::memory_order order) {
+    give_way();
+    return atomic_cell_storage::fetch_add(cell, amount, order);
+  }
+  std::uint32_t compare_exchange(std::uint32_t cell, std::uint32_t expected, std::uint32_t desired,
+                                 std::memory_order order) {
+    give_way();
+    return atomic_cell_storage::compare_exchange(cell, expected, desired, order);
   }
 
  private:
@@ -44,20 +57,46 @@ struct shaken_cells : atomic_cell_storage {
     calls = calls * 1664525u + 1013904223u;
     if (calls >> 30u == 0u) std::this_thread::yield();
   }
+
+  /// What fetch_minimum() and fetch_maximum() see of a cell.
+  struct shaken {
+    std::atomic_ref<std::uint32_t> cell;
+    [[nodiscard]] std::uint32_t load(std::memory_order order) const { return cell.load(order); }
+    bool compare_exchange_strong(std::uint32_t& expected, std::uint32_t desired, std::memory_order success,
+                                 std::memory_order failure) const {
+      give_way();
+      return cell.compare_exchange_strong(expected, desired, success, failure);
+    }
+  };
 };
 
 /// A fault: two steps where the concept asks for one.
 struct torn_cells : atomic_cell_storage {
-  std::uint32_t compare_exchange_cell(std::uint32_t cell, std::uint32_t expected, std::uint32_t desired,
-                                      std::memory_order order) {
-    std::this_thread::yield();
-    std::atomic_ref(cells[cell]).store(desired, order);
-    return expected;
+  std::uint32_t fetch_min(std::uint32_t cell, std::uint32_t value, std::memory_order order) {
+    const std::uint32_t found = load(cell, order);
+    return put(cell, std::min(found, value), found, order);
   }
-  std::uint32_t fetch_or_cell(std::uint32_t cell, std::uint32_t bits, std::memory_order order) {
-    const std::uint32_t found = load_cell(cell, order);
+  std::uint32_t fetch_max(std::uint32_t cell, std::uint32_t value, std::memory_order order) {
+    const std::uint32_t found = load(cell, order);
+    return put(cell, std::max(found, value), found, order);
+  }
+  std::uint32_t fetch_or(std::uint32_t cell, std::uint32_t bits, std::memory_order order) {
+    const std::uint32_t found = load(cell, order);
+    return put(cell, found | bits, found, order);
+  }
+  std::uint32_t fetch_add(std::uint32_t cell, std::uint32_t amount, std::memory_order order) {
+    const std::uint32_t found = load(cell, order);
+    return put(cell, found + amount, found, order);
+  }
+  std::uint32_t compare_exchange(std::uint32_t cell, std::uint32_t expected, std::uint32_t desired,
+                                 std::memory_order order) {
+    return put(cell, desired, expected, order);
+  }
+
+ private:
+  std::uint32_t put(std::uint32_t cell, std::uint32_t value, std::uint32_t found, std::memory_order order) {
     std::this_thread::yield();
-    std::atomic_ref(cells[cell]).store(found | bits, order);
+    std::atomic_ref(cells[cell]).store(value, order);
     return found;
   }
 };

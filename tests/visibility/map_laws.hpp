@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/visibility/cell_storage.hpp>
+#include <pelage/core/atomic_cells.hpp>
 
 #include "property.hpp"
 #include "visibility/cells.hpp"
@@ -77,7 +77,8 @@ void check_map_laws(std::uint32_t most) {
     RC_ASSERT(Described::before(map, end) <= total * (1.0 + 1e-6));
   });
   holds("exact at the ends", [most] {
-    const std::vector<entry> entries = draw_entries<Described>(std::min(most, 1000u));  // sums below 2^24: exact in a float
+    const std::vector<entry> entries =
+        draw_entries<Described>(std::min(most, 1000u));  // sums below 2^24: exact in a float
     const auto map = map_of<Described>(entries);
     for (std::uint32_t layer = 0u; layer <= Described::layers; ++layer) {
       if (!Described::exact_at(layer)) continue;

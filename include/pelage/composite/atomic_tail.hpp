@@ -3,14 +3,9 @@
 #pragma once
 #include <pelage/composite/tail.hpp>
 #include <pelage/core/assert.hpp>
+#include <pelage/core/atomic_cells.hpp>
 
-#include <glm/vec3.hpp>
-
-#include <algorithm>
-#include <atomic>
-#include <concepts>
 #include <cstdint>
-#include <span>
 
 namespace pelage {
 
@@ -19,101 +14,43 @@ namespace pelage {
   return 6u;
 }
 
-/// Where atomic_tail lives: 32-bit cells. add_word() adds modulo 2^32 and returns what the cell held before;
-/// or_word() sets bits.
-template <class Storage>
-concept tail_storage = requires(Storage& s, const Storage& c, std::uint32_t n, std::uint32_t value,
-                                std::memory_order order) {
-  { c.word_count() } -> std::same_as<std::uint32_t>;
-  { c.load_word(n, order) } -> std::same_as<std::uint32_t>;
-  { s.add_word(n, value, order) } -> std::same_as<std::uint32_t>;
-  { s.or_word(n, value, order) } -> std::same_as<void>;
-};
-
-/// tail_storage over the caller's memory, atomic through std::atomic_ref. 24 bytes a pixel.
-struct atomic_tail_storage {
-  std::span<std::uint32_t> words;  ///< tail_words() a pixel, pixel after pixel; clear() before use
-
-  /// Empties every tail. Not concurrent.
-  void clear() noexcept { std::fill(words.begin(), words.end(), 0u); }
-
-  [[nodiscard]] std::uint32_t word_count() const noexcept { return static_cast<std::uint32_t>(words.size()); }
-  [[nodiscard]] std::uint32_t load_word(std::uint32_t word, std::memory_order order) const noexcept {
-    return std::atomic_ref(words[word]).load(order);
-  }
-  std::uint32_t add_word(std::uint32_t word, std::uint32_t value, std::memory_order order) noexcept {
-    return std::atomic_ref(words[word]).fetch_add(value, order);
-  }
-  void or_word(std::uint32_t word, std::uint32_t bits, std::memory_order order) noexcept {
-    std::atomic_ref(words[word]).fetch_or(bits, order);
-  }
-};
-
-static_assert(tail_storage<atomic_tail_storage>);
-
 /// A tail (composite/tail.hpp) a pixel, to which many threads add at once: for what falls out of an atomic_k_buffer.
 ///
-/// Holds the same five sums, bit for bit, whatever the interleaving. A sum modulo 2^32 passes its end once for every
-/// 2^32 of the true sum, in whichever order the parts come; so whether one of the additions saw it pass says whether
-/// the sum saturates, and atomic additions suffice where tail's own need a saturating one.
+/// Holds the same five sums, bit for bit, whatever the interleaving: atomic additions that mark where they pass the end
+/// of the range (add_and_mark) suffice where tail's own need a saturating one. 24 bytes a pixel: cells
+/// [pixel · tail_words(), (pixel + 1) · tail_words()), all 0 at first.
 namespace atomic_tail {
 
-/// Adds one fragment's tail, as add_fragment(empty_tail(), alpha, colour) makes it. `pixel`: [0, word_count() / 6).
-/// Wait-free where the hardware adds atomically; O(1): at most 6 atomics, none for a sum that gains nothing.
-///
-/// (1) and (2) are relaxed: sums and bits are read after the barrier that ends the phase, and publish nothing else.
-template <tail_storage Storage>
+/// Adds one fragment's tail, as add_fragment(empty_tail(), alpha, colour) makes it. `pixel`: [0, size() / 6).
+/// Wait-free where the hardware adds atomically; O(1): at most 6 atomics, none for a sum that gains nothing. Memory
+/// orders: (1) and (2) of add_and_mark().
+template <cell_storage Storage>
 void add(Storage& storage, std::uint32_t pixel, const tail& one) noexcept;
 
-/// The tail that merge() gives for all that was added. Not concurrent with add: (3) is relaxed, the barrier orders it
-/// after every (1) and (2).
-template <tail_storage Storage>
+/// The tail that merge() gives for all that was added. Not concurrent with add: (3) of load_marked().
+template <cell_storage Storage>
 [[nodiscard]] tail load(const Storage& storage, std::uint32_t pixel) noexcept;
-
-/// Adds to one sum, `sum` in [0, 5) in tail's order. Part of add().
-template <tail_storage Storage>
-void add_to_sum(Storage& storage, std::uint32_t pixel, std::uint32_t sum, std::uint32_t part) noexcept;
-
-/// One sum as tail has it. Part of load().
-template <tail_storage Storage>
-[[nodiscard]] std::uint32_t load_sum(const Storage& storage, std::uint32_t pixel, std::uint32_t sum) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
-template <tail_storage Storage>
-void add_to_sum(Storage& storage, std::uint32_t pixel, std::uint32_t sum, std::uint32_t part) noexcept {
-  if (part != 0u) {
-    const std::uint32_t first = pixel * tail_words();
-    const std::uint32_t held = storage.add_word(first + sum, part, std::memory_order_relaxed);  // (1)
-    if (held > 0xffffffffu - part) {
-      storage.or_word(first + 5u, 1u << sum, std::memory_order_relaxed);  // (2)
-    }
-  }
-}
-
-template <tail_storage Storage>
-std::uint32_t load_sum(const Storage& storage, std::uint32_t pixel, std::uint32_t sum) noexcept {
-  const std::uint32_t first = pixel * tail_words();
-  const std::uint32_t passed = storage.load_word(first + 5u, std::memory_order_relaxed);  // (3)
-  const std::uint32_t held = storage.load_word(first + sum, std::memory_order_relaxed);   // (3)
-  return ((passed >> sum) & 1u) != 0u ? 0xffffffffu : held;
-}
-
-template <tail_storage Storage>
+template <cell_storage Storage>
 void add(Storage& storage, std::uint32_t pixel, const tail& one) noexcept {
-  PELAGE_ASSERT(pixel < storage.word_count() / tail_words());
-  add_to_sum(storage, pixel, 0u, one.optical);
-  add_to_sum(storage, pixel, 1u, one.weight);
-  add_to_sum(storage, pixel, 2u, one.red);
-  add_to_sum(storage, pixel, 3u, one.green);
-  add_to_sum(storage, pixel, 4u, one.blue);
+  PELAGE_ASSERT(pixel < storage.size() / tail_words());
+  const std::uint32_t first = pixel * tail_words();
+  add_and_mark(storage, first, one.optical, first + 5u, 1u);
+  add_and_mark(storage, first + 1u, one.weight, first + 5u, 2u);
+  add_and_mark(storage, first + 2u, one.red, first + 5u, 4u);
+  add_and_mark(storage, first + 3u, one.green, first + 5u, 8u);
+  add_and_mark(storage, first + 4u, one.blue, first + 5u, 16u);
 }
 
-template <tail_storage Storage>
+template <cell_storage Storage>
 tail load(const Storage& storage, std::uint32_t pixel) noexcept {
-  PELAGE_ASSERT(pixel < storage.word_count() / tail_words());
-  return tail{load_sum(storage, pixel, 0u), load_sum(storage, pixel, 1u), load_sum(storage, pixel, 2u),
-              load_sum(storage, pixel, 3u), load_sum(storage, pixel, 4u)};
+  PELAGE_ASSERT(pixel < storage.size() / tail_words());
+  const std::uint32_t first = pixel * tail_words();
+  return tail{load_marked(storage, first, first + 5u, 1u), load_marked(storage, first + 1u, first + 5u, 2u),
+              load_marked(storage, first + 2u, first + 5u, 4u), load_marked(storage, first + 3u, first + 5u, 8u),
+              load_marked(storage, first + 4u, first + 5u, 16u)};
 }
 
 }  // namespace atomic_tail

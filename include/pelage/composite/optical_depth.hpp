@@ -19,9 +19,6 @@ namespace pelage {
 /// x in units of 2⁻²⁰, rounded to the nearest; 0 for negative and NaN, the greatest number from 4096 on.
 [[nodiscard]] constexpr std::uint32_t to_fixed(float x) noexcept;
 
-/// The sum of two, clamped to the end of the range. Associative and commutative.
-[[nodiscard]] constexpr std::uint32_t add_saturating(std::uint32_t a, std::uint32_t b) noexcept;
-
 /// The transmittance of a sum, [0, 1]; exactly 1 for 0. Relative error below 1e-7 · (1 + octaves / 2).
 [[nodiscard]] constexpr float transmittance_of(std::uint32_t optical) noexcept;
 
@@ -42,11 +39,6 @@ constexpr std::uint32_t to_fixed(float x) noexcept {
   // From 2²³ units on a float is a whole number, and adding a half would round to even.
   const float units = x * 1048576.0f;
   return static_cast<std::uint32_t>(units < 8388608.0f ? units + 0.5f : units);
-}
-
-constexpr std::uint32_t add_saturating(std::uint32_t a, std::uint32_t b) noexcept {
-  const std::uint32_t room = 0xffffffffu - a;
-  return a + (b < room ? b : room);
 }
 
 constexpr float transmittance_of(std::uint32_t optical) noexcept {

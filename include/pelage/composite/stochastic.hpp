@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/assert.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/fragment.hpp>
 #include <pelage/core/mixed_bits.hpp>
-#include <pelage/visibility/cell_storage.hpp>
 
 #include <array>
 #include <atomic>
@@ -98,7 +98,7 @@ constexpr float stochastic_depths<Samples>::transmittance_before(float depth) co
 template <std::uint32_t Samples, cell_storage Storage>
 void add_to_stochastic_depths(Storage& storage, std::uint32_t pixel, fragment f, float alpha,
                               std::uint32_t seed) noexcept {
-  PELAGE_ASSERT(pixel < storage.cell_count() / Samples);
+  PELAGE_ASSERT(pixel < storage.size() / Samples);
   if (!is_fragment(f)) {
     return;
   }
@@ -114,7 +114,7 @@ template <std::uint32_t Samples, cell_storage Storage>
 stochastic_depths<Samples> load_stochastic_depths(const Storage& storage, std::uint32_t pixel) noexcept {
   stochastic_depths<Samples> depths = stochastic_depths<Samples>::empty();
   for (std::uint32_t i = 0u; i < Samples; ++i) {
-    depths.nearest[i] = storage.load_cell(pixel * Samples + i, std::memory_order_relaxed);
+    depths.nearest[i] = storage.load(pixel * Samples + i, std::memory_order_relaxed);
   }
   return depths;
 }

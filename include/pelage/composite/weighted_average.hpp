@@ -3,7 +3,6 @@
 #pragma once
 #include <pelage/composite/tail.hpp>
 #include <pelage/core/math.hpp>
-#include <pelage/visibility/cell_storage.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -44,12 +43,12 @@ constexpr weighted_average weighted_average::empty() noexcept {
 
 constexpr void weighted_average::add(float alpha, const glm::vec3& colour) noexcept {
   sums = add_fragment(sums, alpha, colour);
-  count = add_amounts(count, 1u);
+  count = add_saturating(count, 1u);
 }
 
 constexpr void weighted_average::merge(const weighted_average& other) noexcept {
   sums = pelage::merge(sums, other.sums);
-  count = add_amounts(count, other.count);
+  count = add_saturating(count, other.count);
 }
 
 constexpr float weighted_average::transmittance() const noexcept {

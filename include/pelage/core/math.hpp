@@ -24,6 +24,9 @@ template <std::floating_point Real>
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline constexpr Real saturate(Real x) noexcept;
 
+/// The sum of two, held to 2³² - 1. Associative and commutative.
+[[nodiscard]] constexpr std::uint32_t add_saturating(std::uint32_t a, std::uint32_t b) noexcept;
+
 /// log₂ x from + − × alone, so that every machine agrees on its bits. For normal x > 0 within
 /// 1e-7 · max(1, |log₂ x|). Zero, denormals and negatives give -126, the least exponent; NaN gives NaN, +inf 128.
 [[nodiscard]] constexpr float fast_log2(float x) noexcept;
@@ -51,6 +54,11 @@ Real safe_sqrt(Real x) noexcept {
 template <real_number Real>
 constexpr Real saturate(Real x) noexcept {
   return select(x > Real(0), select(x < Real(1), x, Real(1)), Real(0));
+}
+
+constexpr std::uint32_t add_saturating(std::uint32_t a, std::uint32_t b) noexcept {
+  const std::uint32_t room = 0xffffffffu - a;
+  return a + (b < room ? b : room);
 }
 
 constexpr float fast_log2(float x) noexcept {

@@ -32,55 +32,55 @@ namespace pelage::atomic_k_buffer {
 /// a pixel, what comes back is each fragment that is not among the K nearest, once; which call it comes back from
 /// depends on the interleaving.
 ///
-/// `pixel`: [0, slot_count() / K). Wait-free where the minimum of the hardware is, else lock-free: a step is
+/// `pixel`: [0, size() / K). Wait-free where the minimum of the hardware is, else lock-free: a step is
 /// repeated only because another insert made the same slot smaller. O(log K) loads for a fragment that is too far or
 /// finds its place at the end, K - i minima for one that finds it at slot i.
 ///
 /// (1) and (2) are relaxed: a stale value is one that the slot held before, hence no smaller, and only leads to a
 /// step that could have been spared. (3) is relaxed: the slot holds all there is to know, and publishes nothing else.
-template <std::uint32_t K, slot_storage Storage>
+template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
 [[nodiscard]] fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept;
 
 /// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with insert:
 /// (4) is relaxed, the barrier between the phases orders it after every (3).
-template <std::uint32_t K, slot_storage Storage>
+template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
 [[nodiscard]] fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
-template <std::uint32_t K, slot_storage Storage>
+template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
 fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
   static_assert(K >= 1u && K <= 64u, "pelage::atomic_k_buffer: K must be in [1, 64]");
-  PELAGE_ASSERT(pixel < storage.slot_count() / K);
+  PELAGE_ASSERT(pixel < storage.size() / K);
   if (!is_fragment(offered)) {
     return offered;
   }
   const std::uint32_t first = pixel * K;
   std::uint64_t carried = pack(offered);
-  if (storage.load_slot(first + K - 1u, std::memory_order_relaxed) < carried) {  // (1)
+  if (storage.load(first + K - 1u, std::memory_order_relaxed) < carried) {  // (1)
     return unpack(carried);
   }
   std::uint32_t begin = 0u;
   std::uint32_t end = K - 1u;
   while (begin < end) {
     const std::uint32_t middle = (begin + end) / 2u;
-    if (storage.load_slot(first + middle, std::memory_order_relaxed) < carried) {  // (2)
+    if (storage.load(first + middle, std::memory_order_relaxed) < carried) {  // (2)
       begin = middle + 1u;
     } else {
       end = middle;
     }
   }
   for (std::uint32_t i = begin; i < K && carried != pack(no_fragment()); ++i) {
-    const std::uint64_t held = storage.min_slot(first + i, carried, std::memory_order_relaxed);  // (3)
+    const std::uint64_t held = storage.fetch_min(first + i, carried, std::memory_order_relaxed);  // (3)
     carried = std::max(held, carried);
   }
   return unpack(carried);
 }
 
-template <std::uint32_t K, slot_storage Storage>
+template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
 fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept {
-  PELAGE_ASSERT(pixel < storage.slot_count() / K && i < K);
-  return unpack(storage.load_slot(pixel * K + i, std::memory_order_relaxed));  // (4)
+  PELAGE_ASSERT(pixel < storage.size() / K && i < K);
+  return unpack(storage.load(pixel * K + i, std::memory_order_relaxed));  // (4)
 }
 
 }  // namespace pelage::atomic_k_buffer

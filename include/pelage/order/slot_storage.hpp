@@ -1,27 +1,15 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/core/fetch_minimum.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/fragment.hpp>
 
 #include <algorithm>
 #include <atomic>
-#include <concepts>
 #include <cstdint>
 #include <span>
 
 namespace pelage {
-
-/// Where the slots of atomic_k_buffer live: 64-bit cells, each reached by a call that names its memory order, so that
-/// the same algorithm runs on std::atomic_ref, on a shader's buffer and on cells that a concurrency test watches.
-/// min_slot() leaves the smaller of a cell and a value in the cell, and returns what the cell held before.
-template <class Storage>
-concept slot_storage = requires(Storage& s, const Storage& c, std::uint32_t n, std::uint64_t value,
-                                std::memory_order order) {
-  { c.slot_count() } -> std::same_as<std::uint32_t>;
-  { c.load_slot(n, order) } -> std::same_as<std::uint64_t>;
-  { s.min_slot(n, value, order) } -> std::same_as<std::uint64_t>;
-};
 
 /// A fragment as a number that orders as the fragment does: depth_key in the high word, id in the low one. What
 /// no_fragment() gives is above that of every fragment. For fragments that is_fragment() accepts, or no_fragment().
@@ -34,22 +22,22 @@ concept slot_storage = requires(Storage& s, const Storage& c, std::uint32_t n, s
   return fragment{depth_from_key(static_cast<std::uint32_t>(number >> 32u)), static_cast<std::uint32_t>(number)};
 }
 
-/// slot_storage over the caller's memory, atomic through std::atomic_ref. 8 bytes a slot.
+/// The 64-bit cells of atomic_k_buffer over the caller's memory, atomic through std::atomic_ref. 8 bytes a slot.
 struct atomic_slot_storage {
   std::span<std::uint64_t> slots;  ///< pixel after pixel; clear() before use
 
   /// Empties every slot. Not concurrent.
   void clear() noexcept { std::fill(slots.begin(), slots.end(), pack(no_fragment())); }
 
-  [[nodiscard]] std::uint32_t slot_count() const noexcept { return static_cast<std::uint32_t>(slots.size()); }
-  [[nodiscard]] std::uint64_t load_slot(std::uint32_t slot, std::memory_order order) const noexcept {
+  [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(slots.size()); }
+  [[nodiscard]] std::uint64_t load(std::uint32_t slot, std::memory_order order) const noexcept {
     return std::atomic_ref(slots[slot]).load(order);
   }
-  std::uint64_t min_slot(std::uint32_t slot, std::uint64_t value, std::memory_order order) noexcept {
+  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, std::memory_order order) noexcept {
     return fetch_minimum(std::atomic_ref(slots[slot]), value, order);
   }
 };
 
-static_assert(slot_storage<atomic_slot_storage>);
+static_assert(falling_cells<atomic_slot_storage, std::uint64_t>);
 
 }  // namespace pelage

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/core/fetch_minimum.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/fragment.hpp>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-/// Where the slots of two_pass_k_buffer live: a 32-bit depth and a 32-bit id each, otherwise as slot_storage.
+/// Where the slots of two_pass_k_buffer live: a 32-bit depth and a 32-bit id each, the verbs those of falling_cells.
 template <class Storage>
 concept split_slot_storage = requires(Storage& s, const Storage& c, std::uint32_t n, std::uint32_t value,
                                       std::memory_order order) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/assert.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/math.hpp>
-#include <pelage/visibility/cell_storage.hpp>
 #include <pelage/visibility/layer_position.hpp>
 
 #include <array>
@@ -70,9 +70,9 @@ template <std::uint32_t K>
 constexpr void density_clusters<K>::add(float position) noexcept {
   const std::uint32_t bin = layer_at(position, K);
   const std::uint32_t place = step_in_bin(position, bin);
-  count[bin] = add_amounts(count[bin], 1u);
-  sum[bin] = add_amounts(sum[bin], place);
-  squares[bin] = add_amounts(squares[bin], place * place);
+  count[bin] = add_saturating(count[bin], 1u);
+  sum[bin] = add_saturating(sum[bin], place);
+  squares[bin] = add_saturating(squares[bin], place * place);
 }
 
 template <std::uint32_t K>
@@ -96,7 +96,7 @@ float density_clusters<K>::count_before(float position) const noexcept {
 
 template <std::uint32_t K, cell_storage Storage>
 void add_to_density_clusters(Storage& storage, std::uint32_t texel, float position) noexcept {
-  PELAGE_ASSERT(texel < storage.cell_count() / (3u * K));
+  PELAGE_ASSERT(texel < storage.size() / (3u * K));
   const std::uint32_t bin = layer_at(position, K);
   const std::uint32_t place = step_in_bin(position, bin);
   const std::uint32_t first = texel * 3u * K + bin;
@@ -109,9 +109,9 @@ template <std::uint32_t K, cell_storage Storage>
 density_clusters<K> load_density_clusters(const Storage& storage, std::uint32_t texel) noexcept {
   density_clusters<K> clusters = density_clusters<K>::empty();
   for (std::uint32_t i = 0u; i < K; ++i) {
-    clusters.count[i] = storage.load_cell(texel * 3u * K + i, std::memory_order_relaxed);
-    clusters.sum[i] = storage.load_cell(texel * 3u * K + K + i, std::memory_order_relaxed);
-    clusters.squares[i] = storage.load_cell(texel * 3u * K + 2u * K + i, std::memory_order_relaxed);
+    clusters.count[i] = storage.load(texel * 3u * K + i, std::memory_order_relaxed);
+    clusters.sum[i] = storage.load(texel * 3u * K + K + i, std::memory_order_relaxed);
+    clusters.squares[i] = storage.load(texel * 3u * K + 2u * K + i, std::memory_order_relaxed);
   }
   return clusters;
 }

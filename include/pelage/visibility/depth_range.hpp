@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/assert.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/fragment.hpp>
 #include <pelage/core/math.hpp>
-#include <pelage/visibility/cell_storage.hpp>
 
 #include <atomic>
 #include <bit>
@@ -103,7 +103,7 @@ constexpr float depth_range::relative(float depth) const noexcept {
 
 template <cell_storage Storage>
 void extend_depth_range(Storage& storage, std::uint32_t texel, float depth) noexcept {
-  PELAGE_ASSERT(texel < storage.cell_count() / 2u);
+  PELAGE_ASSERT(texel < storage.size() / 2u);
   if (is_finite_depth(depth)) {
     const std::uint32_t key = depth_key(depth);
     lower_cell(storage, 2u * texel, key);
@@ -113,8 +113,8 @@ void extend_depth_range(Storage& storage, std::uint32_t texel, float depth) noex
 
 template <cell_storage Storage>
 depth_range load_depth_range(const Storage& storage, std::uint32_t texel) noexcept {
-  return depth_range{storage.load_cell(2u * texel, std::memory_order_relaxed),
-                     storage.load_cell(2u * texel + 1u, std::memory_order_relaxed)};
+  return depth_range{storage.load(2u * texel, std::memory_order_relaxed),
+                     storage.load(2u * texel + 1u, std::memory_order_relaxed)};
 }
 
 }  // namespace pelage

@@ -31,7 +31,8 @@ template <std::size_t N>
                                                    std::uint32_t k) noexcept {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
     return (0u + ... + (k >= I ? difference[I] : 0u));
-  }(std::make_index_sequence<N>());
+  }
+  (std::make_index_sequence<N>());
 }
 
 template <std::uint32_t Slices, std::uint32_t Slabs>
@@ -52,7 +53,7 @@ void amounts_before(const occupancy_map<Slices, Slabs>& map, std::span<const flo
   std::uint32_t sum = 0u;
   for (std::uint32_t slab = 0u; slab < Slabs; ++slab) {
     constexpr std::uint32_t slab_parts = slab_slices / part_slices;
-    const std::uint32_t next = add_amounts(sum, map.amount[slab]);
+    const std::uint32_t next = add_saturating(sum, map.amount[slab]);
     std::uint32_t count = 0u;
     for (std::uint32_t part = slab * slab_parts; part < (slab + 1u) * slab_parts; ++part) {
       const std::uint32_t first = part * part_slices;
@@ -89,8 +90,8 @@ void amounts_before(const occupancy_map<Slices, Slabs>& map, std::span<const flo
     const std::uint32_t set_here = static_cast<std::uint32_t>(std::popcount(slices << 1u));
     const float set_before = static_cast<float>((counts >> 16u) + set_here);
     const float share = (set_before + inside) / static_cast<float>(counts & 0xffffu);
-    const float amount = std::bit_cast<float>(sum_of_first(before, part)) +
-                         share * std::bit_cast<float>(sum_of_first(here, part));
+    const float amount =
+        std::bit_cast<float>(sum_of_first(before, part)) + share * std::bit_cast<float>(sum_of_first(here, part));
     const float at_most = std::bit_cast<float>(sum_of_first(most, part));
     amounts[i] = amount < at_most ? amount : at_most;
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/assert.hpp>
-#include <pelage/visibility/cell_storage.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/visibility/layer_position.hpp>
 
 #include <array>
@@ -87,7 +87,7 @@ constexpr void occupancy_map<Slices, Slabs>::add(float position, std::uint32_t a
   const std::uint32_t slice = layer_at(position, Slices);
   const std::uint32_t word = occupied[slice / 32u];
   occupied[slice / 32u] = word | (1u << (slice % 32u));
-  amount[slice / slab_slices] = add_amounts(amount[slice / slab_slices], added);
+  amount[slice / slab_slices] = add_saturating(amount[slice / slab_slices], added);
 }
 
 template <std::uint32_t Slices, std::uint32_t Slabs>
@@ -96,7 +96,7 @@ constexpr void occupancy_map<Slices, Slabs>::merge(const occupancy_map<Slices, S
     occupied[i] = occupied[i] | other.occupied[i];
   }
   for (std::uint32_t i = 0u; i < Slabs; ++i) {
-    amount[i] = add_amounts(amount[i], other.amount[i]);
+    amount[i] = add_saturating(amount[i], other.amount[i]);
   }
 }
 
@@ -104,7 +104,7 @@ template <std::uint32_t Slices, std::uint32_t Slabs>
 constexpr std::uint32_t occupancy_map<Slices, Slabs>::total() const noexcept {
   std::uint32_t sum = 0u;
   for (std::uint32_t i = 0u; i < Slabs; ++i) {
-    sum = add_amounts(sum, amount[i]);
+    sum = add_saturating(sum, amount[i]);
   }
   return sum;
 }
@@ -115,7 +115,7 @@ constexpr float occupancy_map<Slices, Slabs>::amount_before(float position) cons
   const std::uint32_t slab = slice / slab_slices;
   std::uint32_t before = 0u;
   for (std::uint32_t i = 0u; i < Slabs; ++i) {
-    before = add_amounts(before, i < slab ? amount[i] : 0u);
+    before = add_saturating(before, i < slab ? amount[i] : 0u);
   }
   const std::uint32_t first = slab * slab_slices;  // slice, and where in its word a slab smaller than that begins
   const std::uint32_t of_slab = bits_below(slab_slices) << (first % 32u);
@@ -132,14 +132,14 @@ constexpr float occupancy_map<Slices, Slabs>::amount_before(float position) cons
   const float inside = static_cast<float>(here) * (position - static_cast<float>(slice));
   const float share = set > 0u ? (static_cast<float>(set_before) + inside) / static_cast<float>(set) : 0.0f;
   // Rounding may not lift the sum beyond what the next slab begins with.
-  const float most = static_cast<float>(add_amounts(before, amount[slab]));
+  const float most = static_cast<float>(add_saturating(before, amount[slab]));
   const float sum = static_cast<float>(before) + share * static_cast<float>(amount[slab]);
   return sum < most ? sum : most;
 }
 
 template <class Map, cell_storage Storage>
 void add_to_occupancy_map(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept {
-  PELAGE_ASSERT(texel < storage.cell_count() / Map::cells);
+  PELAGE_ASSERT(texel < storage.size() / Map::cells);
   const std::uint32_t slice = layer_at(position, Map::words * 32u);
   const std::uint32_t first = texel * Map::cells;
   set_bits(storage, first + slice / 32u, 1u << (slice % 32u));
@@ -151,10 +151,10 @@ Map load_occupancy_map(const Storage& storage, std::uint32_t texel) noexcept {
   const std::uint32_t first = texel * Map::cells;
   Map map = Map::empty();
   for (std::uint32_t i = 0u; i < Map::words; ++i) {
-    map.occupied[i] = storage.load_cell(first + i, std::memory_order_relaxed);
+    map.occupied[i] = storage.load(first + i, std::memory_order_relaxed);
   }
   for (std::uint32_t i = 0u; i < Map::cells - Map::words; ++i) {
-    map.amount[i] = storage.load_cell(first + Map::words + i, std::memory_order_relaxed);
+    map.amount[i] = storage.load(first + Map::words + i, std::memory_order_relaxed);
   }
   return map;
 }

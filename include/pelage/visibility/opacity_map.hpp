@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/assert.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/math.hpp>
-#include <pelage/visibility/cell_storage.hpp>
 #include <pelage/visibility/layer_position.hpp>
 
 #include <array>
@@ -72,13 +72,13 @@ constexpr opacity_map<Layers> opacity_map<Layers>::empty() noexcept {
 template <std::uint32_t Layers>
 constexpr void opacity_map<Layers>::add(float position, std::uint32_t added) noexcept {
   const std::uint32_t layer = layer_at(position, Layers);
-  amount[layer] = add_amounts(amount[layer], added);
+  amount[layer] = add_saturating(amount[layer], added);
 }
 
 template <std::uint32_t Layers>
 constexpr void opacity_map<Layers>::merge(const opacity_map<Layers>& other) noexcept {
   for (std::uint32_t i = 0u; i < Layers; ++i) {
-    amount[i] = add_amounts(amount[i], other.amount[i]);
+    amount[i] = add_saturating(amount[i], other.amount[i]);
   }
 }
 
@@ -86,7 +86,7 @@ template <std::uint32_t Layers>
 constexpr std::uint32_t opacity_map<Layers>::total() const noexcept {
   std::uint32_t sum = 0u;
   for (std::uint32_t i = 0u; i < Layers; ++i) {
-    sum = add_amounts(sum, amount[i]);
+    sum = add_saturating(sum, amount[i]);
   }
   return sum;
 }
@@ -103,7 +103,7 @@ constexpr float opacity_map<Layers>::amount_before(float position) const noexcep
 template <std::uint32_t Layers>
 constexpr void opacity_map<Layers>::accumulate() noexcept {
   for (std::uint32_t i = 1u; i < Layers; ++i) {
-    amount[i] = add_amounts(amount[i], amount[i - 1u]);
+    amount[i] = add_saturating(amount[i], amount[i - 1u]);
   }
 }
 
@@ -119,7 +119,7 @@ constexpr float opacity_map<Layers>::accumulated_before(float position) const no
 
 template <std::uint32_t Layers, cell_storage Storage>
 void add_to_opacity_map(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept {
-  PELAGE_ASSERT(texel < storage.cell_count() / Layers);
+  PELAGE_ASSERT(texel < storage.size() / Layers);
   add_to_cell(storage, texel * Layers + layer_at(position, Layers), added);
 }
 
@@ -127,7 +127,7 @@ template <std::uint32_t Layers, cell_storage Storage>
 opacity_map<Layers> load_opacity_map(const Storage& storage, std::uint32_t texel) noexcept {
   opacity_map<Layers> map = opacity_map<Layers>::empty();
   for (std::uint32_t i = 0u; i < Layers; ++i) {
-    map.amount[i] = storage.load_cell(texel * Layers + i, std::memory_order_relaxed);
+    map.amount[i] = storage.load(texel * Layers + i, std::memory_order_relaxed);
   }
   return map;
 }

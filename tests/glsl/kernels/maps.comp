@@ -15,21 +15,16 @@ layout(std430, binding = 0) readonly buffer offers {
 layout(std430, binding = 1) coherent buffer cell_block {
   uint found[];
 };
-layout(std430, binding = 2) coherent buffer word_block {
-  uint held[];
-};
 #ifdef LOAD
-layout(std430, binding = 3) buffer loaded_block {
+layout(std430, binding = 2) buffer loaded_block {
   uint loaded[];
 };
 #endif
 
 uint base = 0u;
 #define PELAGE_ATOMIC_CELL_STORAGE_CELLS(i) found[base + i]
-#define PELAGE_ATOMIC_TAIL_STORAGE_WORDS(i) held[i]
 #include "pelage/glsl/composite/atomic_tail.glsl"
 #include "pelage/glsl/composite/stochastic.glsl"
-#include "pelage/glsl/composite/weighted_sum.glsl"
 #include "pelage/glsl/visibility/density_clusters.glsl"
 #include "pelage/glsl/visibility/depth_range.glsl"
 #include "pelage/glsl/visibility/occupancy_map.glsl"
@@ -48,7 +43,7 @@ void give(pelage_tail tail) {
 
 void use(uint texel) {
   if (texel >= texels) return;
-  next = texel * (2u + pelage_occupancy_map_cells + 16u + pelage_density_clusters_cells + 16u + 5u + 5u);
+  next = texel * (2u + pelage_occupancy_map_cells + 16u + pelage_density_clusters_cells + 16u + 5u);
   const pelage_depth_range range = pelage_load_depth_range(texel);
   give(range.nearest);
   give(range.farthest);
@@ -68,7 +63,6 @@ void use(uint texel) {
   const pelage_stochastic_depths depths = pelage_load_stochastic_depths(texel);
   for (uint i = 0u; i < 16u; ++i) give(depths.nearest[i]);
   base += 16u * texels;
-  give(pelage_load_tail(texel));
   give(pelage_atomic_tail_load(texel));
 }
 #else
@@ -87,7 +81,6 @@ void use(uint i) {
   base += pelage_density_clusters_cells * texels;
   pelage_add_to_stochastic_depths(texel, f, share, 7u);
   base += 16u * texels;
-  pelage_add_to_tail(texel, one);
   pelage_atomic_tail_add(texel, one);
 }
 #endif

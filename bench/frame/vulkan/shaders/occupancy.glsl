@@ -28,24 +28,17 @@ void go_to_texel(uint texel) {
 void extend_range(float depth) {
   if (pelage_is_finite_depth(depth)) {
     const uint key = pelage_depth_key(depth);
-    if (cells[first_cell + nearest_cell] < ~key) {
-      atomicMax(cells[first_cell + nearest_cell], ~key);
-    }
-    if (cells[first_cell + farthest_cell] < key) {
-      atomicMax(cells[first_cell + farthest_cell], key);
-    }
+    pelage_raise_cell(nearest_cell, ~key);
+    pelage_raise_cell(farthest_cell, key);
   }
 }
 
-/// Puts a fragment in. Hardware adds modulo 2³²; whether a sum passed its end does not depend on the order of adding.
+/// Puts a fragment in.
 void occupy(float position, uint amount) {
   const uint slice = pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES);
   const uint slab = slice / pelage_occupancy_map_slab_slices;
   pelage_set_bits(occupied_cell + slice / 32u, 1u << (slice % 32u));
-  const uint held = atomicAdd(cells[first_cell + slab], amount);
-  if (held > 0xffffffffu - amount) {
-    atomicOr(cells[first_cell + passed_cell], 1u << slab);
-  }
+  pelage_add_and_mark(slab, amount, passed_cell, 1u << slab);
 }
 
 /// A texel's map and range.

@@ -4,89 +4,44 @@
 #ifndef PELAGE_COMPOSITE_ATOMIC_TAIL_GLSL
 #define PELAGE_COMPOSITE_ATOMIC_TAIL_GLSL
 
-#include "../core/memory_order.glsl"
 #include "tail.glsl"
-
-// The shader says where these cells lie before it includes this file; those that others write
-// meanwhile belong into a coherent buffer:
-//   PELAGE_ATOMIC_TAIL_STORAGE_WORDS(i)  tail_words() a pixel, pixel after pixel; clear() before use
-#ifndef PELAGE_ATOMIC_TAIL_STORAGE_WORDS
-#error composite/atomic_tail.glsl: define PELAGE_ATOMIC_TAIL_STORAGE_WORDS(i) before the include
-#endif
+#include "../core/atomic_cells.glsl"
 
 /// A tail (composite/tail.hpp) a pixel, to which many threads add at once: for what falls out of an atomic_k_buffer.
 ///
-/// Holds the same five sums, bit for bit, whatever the interleaving. A sum modulo 2^32 passes its end once for every
-/// 2^32 of the true sum, in whichever order the parts come; so whether one of the additions saw it pass says whether
-/// the sum saturates, and atomic additions suffice where tail's own need a saturating one.
+/// Holds the same five sums, bit for bit, whatever the interleaving: atomic additions that mark where they pass the end
+/// of the range (add_and_mark) suffice where tail's own need a saturating one. 24 bytes a pixel: cells
+/// [pixel · tail_words(), (pixel + 1) · tail_words()), all 0 at first.
 
 /// The words of a pixel in atomic_tail: the five sums of a tail, and one bit a sum that went beyond 2^32.
 uint pelage_tail_words() {
   return 6u;
 }
 
-uint pelage_atomic_tail_storage_load_word(uint pelage_word, int pelage_order) {
-  return pelage_acquire(PELAGE_ATOMIC_TAIL_STORAGE_WORDS(pelage_word), pelage_order);
-}
-
-uint pelage_atomic_tail_storage_add_word(uint pelage_word, uint pelage_value, int pelage_order) {
-  return pelage_acquire(
-      atomicAdd(PELAGE_ATOMIC_TAIL_STORAGE_WORDS(pelage_word), pelage_release(pelage_value, pelage_order)),
-      pelage_order);
-}
-
-void pelage_atomic_tail_storage_or_word(uint pelage_word, uint pelage_bits, int pelage_order) {
-  pelage_acquire(atomicOr(PELAGE_ATOMIC_TAIL_STORAGE_WORDS(pelage_word), pelage_release(pelage_bits, pelage_order)),
-                 pelage_order);
-}
-
-/// Adds one fragment's tail, as add_fragment(empty_tail(), alpha, colour) makes it. `pixel`: [0, word_count() / 6).
-/// Wait-free where the hardware adds atomically; O(1): at most 6 atomics, none for a sum that gains nothing.
-///
-/// (1) and (2) are relaxed: sums and bits are read after the barrier that ends the phase, and publish nothing else.
+/// Adds one fragment's tail, as add_fragment(empty_tail(), alpha, colour) makes it. `pixel`: [0, size() / 6).
+/// Wait-free where the hardware adds atomically; O(1): at most 6 atomics, none for a sum that gains nothing. Memory
+/// orders: (1) and (2) of add_and_mark().
 void pelage_atomic_tail_add(uint pixel, pelage_tail one);
 
-/// The tail that merge() gives for all that was added. Not concurrent with add: (3) is relaxed, the barrier orders it
-/// after every (1) and (2).
+/// The tail that merge() gives for all that was added. Not concurrent with add: (3) of load_marked().
 pelage_tail pelage_atomic_tail_load(uint pixel);
-
-/// Adds to one sum, `sum` in [0, 5) in tail's order. Part of add().
-void pelage_atomic_tail_add_to_sum(uint pixel, uint sum, uint part);
-
-/// One sum as tail has it. Part of load().
-uint pelage_atomic_tail_load_sum(uint pixel, uint sum);
 
 // ---------------------------------------------------------------------------------------------------------
 
-void pelage_atomic_tail_add_to_sum(uint pixel, uint sum, uint part) {
-  if (part != 0u) {
-    const uint first = pixel * pelage_tail_words();
-    const uint held = pelage_atomic_tail_storage_add_word(first + sum, part, pelage_memory_order_relaxed);  // (1)
-    if (held > 0xffffffffu - part) {
-      pelage_atomic_tail_storage_or_word(first + 5u, 1u << sum, pelage_memory_order_relaxed);  // (2)
-    }
-  }
-}
-
-uint pelage_atomic_tail_load_sum(uint pixel, uint sum) {
-  const uint first = pixel * pelage_tail_words();
-  const uint passed = pelage_atomic_tail_storage_load_word(first + 5u, pelage_memory_order_relaxed);  // (3)
-  const uint held = pelage_atomic_tail_storage_load_word(first + sum, pelage_memory_order_relaxed);   // (3)
-  return ((passed >> sum) & 1u) != 0u ? 0xffffffffu : held;
-}
-
 void pelage_atomic_tail_add(uint pixel, pelage_tail one) {
-  pelage_atomic_tail_add_to_sum(pixel, 0u, one.optical);
-  pelage_atomic_tail_add_to_sum(pixel, 1u, one.weight);
-  pelage_atomic_tail_add_to_sum(pixel, 2u, one.red);
-  pelage_atomic_tail_add_to_sum(pixel, 3u, one.green);
-  pelage_atomic_tail_add_to_sum(pixel, 4u, one.blue);
+  const uint first = pixel * pelage_tail_words();
+  pelage_add_and_mark(first, one.optical, first + 5u, 1u);
+  pelage_add_and_mark(first + 1u, one.weight, first + 5u, 2u);
+  pelage_add_and_mark(first + 2u, one.red, first + 5u, 4u);
+  pelage_add_and_mark(first + 3u, one.green, first + 5u, 8u);
+  pelage_add_and_mark(first + 4u, one.blue, first + 5u, 16u);
 }
 
 pelage_tail pelage_atomic_tail_load(uint pixel) {
-  return pelage_tail(pelage_atomic_tail_load_sum(pixel, 0u), pelage_atomic_tail_load_sum(pixel, 1u),
-                     pelage_atomic_tail_load_sum(pixel, 2u), pelage_atomic_tail_load_sum(pixel, 3u),
-                     pelage_atomic_tail_load_sum(pixel, 4u));
+  const uint first = pixel * pelage_tail_words();
+  return pelage_tail(pelage_load_marked(first, first + 5u, 1u), pelage_load_marked(first + 1u, first + 5u, 2u),
+                     pelage_load_marked(first + 2u, first + 5u, 4u), pelage_load_marked(first + 3u, first + 5u, 8u),
+                     pelage_load_marked(first + 4u, first + 5u, 16u));
 }
 
 #endif

@@ -18,9 +18,6 @@ precise uint pelage_optical_depth(float alpha);
 /// x in units of 2⁻²⁰, rounded to the nearest; 0 for negative and NaN, the greatest number from 4096 on.
 precise uint pelage_to_fixed(float x);
 
-/// The sum of two, clamped to the end of the range. Associative and commutative.
-uint pelage_add_saturating(uint a, uint b);
-
 /// The transmittance of a sum, [0, 1]; exactly 1 for 0. Relative error below 1e-7 · (1 + octaves / 2).
 precise float pelage_transmittance_of(uint optical);
 
@@ -41,11 +38,6 @@ precise uint pelage_to_fixed(float x) {
   // From 2²³ units on a float is a whole number, and adding a half would round to even.
   const float units = x * 1048576.0;
   return uint(units < 8388608.0 ? units + 0.5 : units);
-}
-
-uint pelage_add_saturating(uint a, uint b) {
-  const uint room = 0xffffffffu - a;
-  return a + (b < room ? b : room);
 }
 
 precise float pelage_transmittance_of(uint optical) {

@@ -19,9 +19,9 @@ uint[PELAGE_STOCHASTIC_DEPTHS_SAMPLES] PELAGE_STOCHASTIC_DEPTHS_SAMPLES_has_one_
 #define PELAGE_COMPOSITE_STOCHASTIC_GLSL
 #endif
 
+#include "../core/atomic_cells.glsl"
 #include "../core/fragment.glsl"
 #include "../core/mixed_bits.glsl"
-#include "../visibility/cell_storage.glsl"
 
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
@@ -136,7 +136,7 @@ pelage_stochastic_depths pelage_load_stochastic_depths(uint pixel) {
   pelage_stochastic_depths depths = pelage_stochastic_depths_empty();
   for (uint i = 0u; i < PELAGE_STOCHASTIC_DEPTHS_SAMPLES; ++i) {
     depths.nearest[i] =
-        pelage_atomic_cell_storage_load_cell(pixel * PELAGE_STOCHASTIC_DEPTHS_SAMPLES + i, pelage_memory_order_relaxed);
+        pelage_atomic_cell_storage_load(pixel * PELAGE_STOCHASTIC_DEPTHS_SAMPLES + i, pelage_memory_order_relaxed);
   }
   return depths;
 }

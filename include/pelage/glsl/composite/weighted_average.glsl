@@ -6,7 +6,6 @@
 
 #include "tail.glsl"
 #include "../core/math.glsl"
-#include "../visibility/cell_storage.glsl"
 
 /// All fragments of a pixel as n equal ones of their mean colour and mean alpha. [Bavoil & Myers 2008, §4]
 ///
@@ -41,12 +40,12 @@ pelage_weighted_average pelage_weighted_average_empty() {
 
 void pelage_weighted_average_add(inout pelage_weighted_average self, float alpha, vec3 colour) {
   self.sums = pelage_add_fragment(self.sums, alpha, colour);
-  self.count = pelage_add_amounts(self.count, 1u);
+  self.count = pelage_add_saturating(self.count, 1u);
 }
 
 void pelage_weighted_average_merge(inout pelage_weighted_average self, pelage_weighted_average other) {
   self.sums = pelage_merge(self.sums, other.sums);
-  self.count = pelage_add_amounts(self.count, other.count);
+  self.count = pelage_add_saturating(self.count, other.count);
 }
 
 precise float pelage_weighted_average_transmittance(pelage_weighted_average self) {

@@ -6,11 +6,10 @@
 
 #include "optical_depth.glsl"
 #include "tail.glsl"
-#include "../visibility/cell_storage.glsl"
 
 /// What the blendings without sorting share: a tail whose colours are weighted by more than their alpha, which in the
 /// end stand before the background as one layer. Its transmittance stays the exact product. Integer sums: any order of
-/// fragments gives the same bits.
+/// fragments gives the same bits. Many threads fill a pixel at once through atomic_tail.
 
 /// The tail with one more fragment of a weight of its own. `weight`: [0, 1] so that the sums reach 4096 fragments,
 /// alpha included, to the nearest 2⁻²⁰; NaN counts as 0. `colour`: linear RGB, [0, inf]. `alpha`: clamped to [0, 1].
@@ -19,13 +18,6 @@ precise pelage_tail pelage_add_weighted(pelage_tail t, float alpha, float weight
 /// What is seen of a tail before a background: its mean colour by weight over what it lets through. Black for the
 /// fibres' part where no weight reaches 2⁻²¹. The scale by which the mean is put right is Λ = 1 - transmittance.
 precise vec3 pelage_resolve(pelage_tail t, vec3 background);
-
-/// Puts a tail into a pixel that many threads fill at once: cells [5 · pixel, 5 · pixel + 5), all 0 at first.
-/// Lock-free; memory orders: cell_storage.
-void pelage_add_to_tail(uint pixel, pelage_tail added);
-
-/// A pixel of such a storage. Not concurrent with add_to_tail.
-pelage_tail pelage_load_tail(uint pixel);
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -40,22 +32,6 @@ precise pelage_tail pelage_add_weighted(pelage_tail t, float alpha, float weight
 precise vec3 pelage_resolve(pelage_tail t, vec3 background) {
   const float passed = pelage_transmittance_of(t);
   return pelage_mean_colour(t) * (1.0 - passed) + background * passed;
-}
-
-void pelage_add_to_tail(uint pixel, pelage_tail added) {
-  pelage_add_to_cell(5u * pixel, added.optical);
-  pelage_add_to_cell(5u * pixel + 1u, added.weight);
-  pelage_add_to_cell(5u * pixel + 2u, added.red);
-  pelage_add_to_cell(5u * pixel + 3u, added.green);
-  pelage_add_to_cell(5u * pixel + 4u, added.blue);
-}
-
-pelage_tail pelage_load_tail(uint pixel) {
-  return pelage_tail(pelage_atomic_cell_storage_load_cell(5u * pixel, pelage_memory_order_relaxed),
-                     pelage_atomic_cell_storage_load_cell(5u * pixel + 1u, pelage_memory_order_relaxed),
-                     pelage_atomic_cell_storage_load_cell(5u * pixel + 2u, pelage_memory_order_relaxed),
-                     pelage_atomic_cell_storage_load_cell(5u * pixel + 3u, pelage_memory_order_relaxed),
-                     pelage_atomic_cell_storage_load_cell(5u * pixel + 4u, pelage_memory_order_relaxed));
 }
 
 #endif

@@ -16,6 +16,9 @@ precise float pelage_safe_sqrt(float x);
 /// x clamped to [0, 1]; NaN gives 0.
 float pelage_saturate(float x);
 
+/// The sum of two, held to 2³² - 1. Associative and commutative.
+uint pelage_add_saturating(uint a, uint b);
+
 /// log₂ x from + − × alone, so that every machine agrees on its bits. For normal x > 0 within
 /// 1e-7 · max(1, |log₂ x|). Zero, denormals and negatives give -126, the least exponent; NaN gives NaN, +inf 128.
 precise float pelage_fast_log2(float x);
@@ -40,6 +43,11 @@ precise float pelage_safe_sqrt(float x) {
 
 float pelage_saturate(float x) {
   return pelage_select(x > 0.0, pelage_select(x < 1.0, x, 1.0), 0.0);
+}
+
+uint pelage_add_saturating(uint a, uint b) {
+  const uint room = 0xffffffffu - a;
+  return a + (b < room ? b : room);
 }
 
 precise float pelage_fast_log2(float x) {

@@ -55,7 +55,7 @@ uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shade
 /// a pixel, what comes back is each fragment that is not among the K nearest, once; which call it comes back from
 /// depends on the interleaving.
 ///
-/// `pixel`: [0, slot_count() / K). Wait-free where the minimum of the hardware is, else lock-free: a step is
+/// `pixel`: [0, size() / K). Wait-free where the minimum of the hardware is, else lock-free: a step is
 /// repeated only because another insert made the same slot smaller. O(log K) loads for a fragment that is too far or
 /// finds its place at the end, K - i minima for one that finds it at slot i.
 ///
@@ -75,7 +75,7 @@ pelage_fragment pelage_atomic_k_buffer_insert(uint pixel, pelage_fragment offere
   }
   const uint first = pixel * PELAGE_ATOMIC_K_BUFFER_K;
   uint64_t carried = pelage_pack(offered);
-  if (pelage_atomic_slot_storage_load_slot(first + PELAGE_ATOMIC_K_BUFFER_K - 1u, pelage_memory_order_relaxed) <
+  if (pelage_atomic_slot_storage_load(first + PELAGE_ATOMIC_K_BUFFER_K - 1u, pelage_memory_order_relaxed) <
       carried) {  // (1)
     return pelage_unpack(carried);
   }
@@ -83,14 +83,14 @@ pelage_fragment pelage_atomic_k_buffer_insert(uint pixel, pelage_fragment offere
   uint end = PELAGE_ATOMIC_K_BUFFER_K - 1u;
   while (begin < end) {
     const uint middle = (begin + end) / 2u;
-    if (pelage_atomic_slot_storage_load_slot(first + middle, pelage_memory_order_relaxed) < carried) {  // (2)
+    if (pelage_atomic_slot_storage_load(first + middle, pelage_memory_order_relaxed) < carried) {  // (2)
       begin = middle + 1u;
     } else {
       end = middle;
     }
   }
   for (uint i = begin; i < PELAGE_ATOMIC_K_BUFFER_K && carried != pelage_pack(pelage_no_fragment()); ++i) {
-    const uint64_t held = pelage_atomic_slot_storage_min_slot(first + i, carried, pelage_memory_order_relaxed);  // (3)
+    const uint64_t held = pelage_atomic_slot_storage_fetch_min(first + i, carried, pelage_memory_order_relaxed);  // (3)
     carried = max(held, carried);
   }
   return pelage_unpack(carried);
@@ -98,7 +98,7 @@ pelage_fragment pelage_atomic_k_buffer_insert(uint pixel, pelage_fragment offere
 
 pelage_fragment pelage_atomic_k_buffer_at(uint pixel, uint i) {
   return pelage_unpack(
-      pelage_atomic_slot_storage_load_slot(pixel * PELAGE_ATOMIC_K_BUFFER_K + i, pelage_memory_order_relaxed));  // (4)
+      pelage_atomic_slot_storage_load(pixel * PELAGE_ATOMIC_K_BUFFER_K + i, pelage_memory_order_relaxed));  // (4)
 }
 
 #ifdef PELAGE_PREFIX

@@ -33,11 +33,11 @@ pelage_fragment pelage_unpack(uint64_t number) {
   return pelage_fragment(pelage_depth_from_key(uint(number >> 32u)), uint(number));
 }
 
-uint64_t pelage_atomic_slot_storage_load_slot(uint pelage_slot, int pelage_order) {
+uint64_t pelage_atomic_slot_storage_load(uint pelage_slot, int pelage_order) {
   return pelage_acquire(PELAGE_LOAD_64(PELAGE_ATOMIC_SLOT_STORAGE_SLOTS(pelage_slot)), pelage_order);
 }
 
-uint64_t pelage_atomic_slot_storage_min_slot(uint pelage_slot, uint64_t pelage_value, int pelage_order) {
+uint64_t pelage_atomic_slot_storage_fetch_min(uint pelage_slot, uint64_t pelage_value, int pelage_order) {
   return pelage_acquire(
       atomicMin(PELAGE_ATOMIC_SLOT_STORAGE_SLOTS(pelage_slot), pelage_release(pelage_value, pelage_order)),
       pelage_order);

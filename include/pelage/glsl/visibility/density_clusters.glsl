@@ -19,8 +19,8 @@ uint[PELAGE_DENSITY_CLUSTERS_K] PELAGE_DENSITY_CLUSTERS_K_has_one_value_in_a_sha
 #define PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL
 #endif
 
+#include "../core/atomic_cells.glsl"
 #include "../core/math.glsl"
-#include "cell_storage.glsl"
 #include "layer_position.glsl"
 
 #ifdef PELAGE_PREFIX
@@ -90,9 +90,9 @@ pelage_density_clusters pelage_density_clusters_empty() {
 void pelage_density_clusters_add(inout pelage_density_clusters self, float position) {
   const uint bin = pelage_layer_at(position, PELAGE_DENSITY_CLUSTERS_K);
   const uint place = pelage_step_in_bin(position, bin);
-  self.count[bin] = pelage_add_amounts(self.count[bin], 1u);
-  self.sum[bin] = pelage_add_amounts(self.sum[bin], place);
-  self.squares[bin] = pelage_add_amounts(self.squares[bin], place * place);
+  self.count[bin] = pelage_add_saturating(self.count[bin], 1u);
+  self.sum[bin] = pelage_add_saturating(self.sum[bin], place);
+  self.squares[bin] = pelage_add_saturating(self.squares[bin], place * place);
 }
 
 precise float pelage_density_clusters_count_before(pelage_density_clusters self, float position) {
@@ -126,10 +126,10 @@ pelage_density_clusters pelage_load_density_clusters(uint texel) {
   pelage_density_clusters clusters = pelage_density_clusters_empty();
   for (uint i = 0u; i < PELAGE_DENSITY_CLUSTERS_K; ++i) {
     clusters.count[i] =
-        pelage_atomic_cell_storage_load_cell(texel * 3u * PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
-    clusters.sum[i] = pelage_atomic_cell_storage_load_cell(
+        pelage_atomic_cell_storage_load(texel * 3u * PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
+    clusters.sum[i] = pelage_atomic_cell_storage_load(
         texel * 3u * PELAGE_DENSITY_CLUSTERS_K + PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
-    clusters.squares[i] = pelage_atomic_cell_storage_load_cell(
+    clusters.squares[i] = pelage_atomic_cell_storage_load(
         texel * 3u * PELAGE_DENSITY_CLUSTERS_K + 2u * PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
   }
   return clusters;

@@ -4,9 +4,9 @@
 #ifndef PELAGE_VISIBILITY_DEPTH_RANGE_GLSL
 #define PELAGE_VISIBILITY_DEPTH_RANGE_GLSL
 
+#include "../core/atomic_cells.glsl"
 #include "../core/fragment.glsl"
 #include "../core/math.glsl"
-#include "cell_storage.glsl"
 
 /// The nearest and the farthest depth of a texel's fragments: where the slices of its maps begin and end. 8 bytes.
 ///
@@ -104,8 +104,8 @@ void pelage_extend_depth_range(uint texel, float depth) {
 }
 
 pelage_depth_range pelage_load_depth_range(uint texel) {
-  return pelage_depth_range(pelage_atomic_cell_storage_load_cell(2u * texel, pelage_memory_order_relaxed),
-                            pelage_atomic_cell_storage_load_cell(2u * texel + 1u, pelage_memory_order_relaxed));
+  return pelage_depth_range(pelage_atomic_cell_storage_load(2u * texel, pelage_memory_order_relaxed),
+                            pelage_atomic_cell_storage_load(2u * texel + 1u, pelage_memory_order_relaxed));
 }
 
 #endif

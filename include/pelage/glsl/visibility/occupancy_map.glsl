@@ -33,7 +33,8 @@ uint[PELAGE_OCCUPANCY_MAP_SLICES] PELAGE_OCCUPANCY_MAP_SLICES_has_one_value_in_a
 #define PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL
 #endif
 
-#include "cell_storage.glsl"
+#include "../core/atomic_cells.glsl"
+#include "../core/math.glsl"
 #include "layer_position.glsl"
 
 #ifdef PELAGE_PREFIX
@@ -126,7 +127,7 @@ void pelage_occupancy_map_add(inout pelage_occupancy_map self, float position, u
   const uint word = self.occupied[slice / 32u];
   self.occupied[slice / 32u] = word | (1u << (slice % 32u));
   self.amount[slice / pelage_occupancy_map_slab_slices] =
-      pelage_add_amounts(self.amount[slice / pelage_occupancy_map_slab_slices], added);
+      pelage_add_saturating(self.amount[slice / pelage_occupancy_map_slab_slices], added);
 }
 
 void pelage_occupancy_map_merge(inout pelage_occupancy_map self, pelage_occupancy_map other) {
@@ -134,14 +135,14 @@ void pelage_occupancy_map_merge(inout pelage_occupancy_map self, pelage_occupanc
     self.occupied[i] = self.occupied[i] | other.occupied[i];
   }
   for (uint i = 0u; i < PELAGE_OCCUPANCY_MAP_SLABS; ++i) {
-    self.amount[i] = pelage_add_amounts(self.amount[i], other.amount[i]);
+    self.amount[i] = pelage_add_saturating(self.amount[i], other.amount[i]);
   }
 }
 
 uint pelage_occupancy_map_total(pelage_occupancy_map self) {
   uint sum = 0u;
   for (uint i = 0u; i < PELAGE_OCCUPANCY_MAP_SLABS; ++i) {
-    sum = pelage_add_amounts(sum, self.amount[i]);
+    sum = pelage_add_saturating(sum, self.amount[i]);
   }
   return sum;
 }
@@ -151,7 +152,7 @@ precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, floa
   const uint slab = slice / pelage_occupancy_map_slab_slices;
   uint before = 0u;
   for (uint i = 0u; i < PELAGE_OCCUPANCY_MAP_SLABS; ++i) {
-    before = pelage_add_amounts(before, i < slab ? self.amount[i] : 0u);
+    before = pelage_add_saturating(before, i < slab ? self.amount[i] : 0u);
   }
   const uint first =
       slab * pelage_occupancy_map_slab_slices;  // slice, and where in its word a slab smaller than that begins
@@ -169,7 +170,7 @@ precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, floa
   const float inside = float(here) * (position - float(slice));
   const float share = set > 0u ? (float(set_before) + inside) / float(set) : 0.0;
   // Rounding may not lift the sum beyond what the next slab begins with.
-  const float most = float(pelage_add_amounts(before, self.amount[slab]));
+  const float most = float(pelage_add_saturating(before, self.amount[slab]));
   const float sum = float(before) + share * float(self.amount[slab]);
   return sum < most ? sum : most;
 }
@@ -185,11 +186,11 @@ pelage_occupancy_map pelage_load_occupancy_map(uint texel) {
   const uint first = texel * pelage_occupancy_map_cells;
   pelage_occupancy_map map = pelage_occupancy_map_empty();
   for (uint i = 0u; i < pelage_occupancy_map_words; ++i) {
-    map.occupied[i] = pelage_atomic_cell_storage_load_cell(first + i, pelage_memory_order_relaxed);
+    map.occupied[i] = pelage_atomic_cell_storage_load(first + i, pelage_memory_order_relaxed);
   }
   for (uint i = 0u; i < pelage_occupancy_map_cells - pelage_occupancy_map_words; ++i) {
     map.amount[i] =
-        pelage_atomic_cell_storage_load_cell(first + pelage_occupancy_map_words + i, pelage_memory_order_relaxed);
+        pelage_atomic_cell_storage_load(first + pelage_occupancy_map_words + i, pelage_memory_order_relaxed);
   }
   return map;
 }

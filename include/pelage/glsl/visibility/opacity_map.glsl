@@ -19,8 +19,8 @@ uint[PELAGE_OPACITY_MAP_LAYERS] PELAGE_OPACITY_MAP_LAYERS_has_one_value_in_a_sha
 #define PELAGE_VISIBILITY_OPACITY_MAP_GLSL
 #endif
 
+#include "../core/atomic_cells.glsl"
 #include "../core/math.glsl"
-#include "cell_storage.glsl"
 #include "layer_position.glsl"
 
 #ifdef PELAGE_PREFIX
@@ -91,19 +91,19 @@ pelage_opacity_map pelage_opacity_map_empty() {
 
 void pelage_opacity_map_add(inout pelage_opacity_map self, float position, uint added) {
   const uint layer = pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS);
-  self.amount[layer] = pelage_add_amounts(self.amount[layer], added);
+  self.amount[layer] = pelage_add_saturating(self.amount[layer], added);
 }
 
 void pelage_opacity_map_merge(inout pelage_opacity_map self, pelage_opacity_map other) {
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
-    self.amount[i] = pelage_add_amounts(self.amount[i], other.amount[i]);
+    self.amount[i] = pelage_add_saturating(self.amount[i], other.amount[i]);
   }
 }
 
 uint pelage_opacity_map_total(pelage_opacity_map self) {
   uint sum = 0u;
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
-    sum = pelage_add_amounts(sum, self.amount[i]);
+    sum = pelage_add_saturating(sum, self.amount[i]);
   }
   return sum;
 }
@@ -118,7 +118,7 @@ precise float pelage_opacity_map_amount_before(pelage_opacity_map self, float po
 
 void pelage_opacity_map_accumulate(inout pelage_opacity_map self) {
   for (uint i = 1u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
-    self.amount[i] = pelage_add_amounts(self.amount[i], self.amount[i - 1u]);
+    self.amount[i] = pelage_add_saturating(self.amount[i], self.amount[i - 1u]);
   }
 }
 
@@ -138,8 +138,7 @@ void pelage_add_to_opacity_map(uint texel, float position, uint added) {
 pelage_opacity_map pelage_load_opacity_map(uint texel) {
   pelage_opacity_map map = pelage_opacity_map_empty();
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
-    map.amount[i] =
-        pelage_atomic_cell_storage_load_cell(texel * PELAGE_OPACITY_MAP_LAYERS + i, pelage_memory_order_relaxed);
+    map.amount[i] = pelage_atomic_cell_storage_load(texel * PELAGE_OPACITY_MAP_LAYERS + i, pelage_memory_order_relaxed);
   }
   return map;
 }

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <pelage/visibility/cell_storage.hpp>
+#include <pelage/core/atomic_cells.hpp>
 
 #include "property.hpp"
 #include "visibility/cells.hpp"
@@ -13,18 +13,22 @@
 
 namespace pelage::test {
 
-/// Makes every change of some values by some threads; the cells then: all bits, the least, the greatest, the sum.
+/// Makes every change of some values by some threads; the cells then: all bits, the least, the greatest, the sum by
+/// both ways.
 template <class Storage>
 std::vector<std::uint32_t> changed_by(std::uint32_t threads, const std::vector<std::uint32_t>& values) {
-  cells_of<Storage> storage(4u, 0u);
-  static_cast<void>(storage.compare_exchange_cell(1u, 0u, 0xffffffffu, std::memory_order_relaxed));
+  cells_of<Storage> storage(6u, 0u);
+  static_cast<void>(storage.compare_exchange(1u, 0u, 0xffffffffu, std::memory_order_relaxed));
   deal_to_threads(threads, values.size(), [&](std::size_t i) {
     set_bits(storage, 0u, values[i]);
     lower_cell(storage, 1u, values[i]);
     raise_cell(storage, 2u, values[i]);
     add_to_cell(storage, 3u, values[i]);
+    add_and_mark(storage, 4u, values[i], 5u, 2u);
   });
-  return storage.memory();
+  std::vector<std::uint32_t> cells(storage.memory().begin(), storage.memory().begin() + 4);
+  cells.push_back(load_marked(storage, 4u, 5u, 2u));
+  return cells;
 }
 
 std::vector<std::uint32_t> expected_of(const std::vector<std::uint32_t>& values) {
@@ -38,7 +42,8 @@ std::vector<std::uint32_t> expected_of(const std::vector<std::uint32_t>& values)
     greatest = std::max(greatest, v);
     sum += v;
   }
-  return {bits, least, greatest, static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, 0xffffffffu))};
+  const auto held = static_cast<std::uint32_t>(std::min<std::uint64_t>(sum, 0xffffffffu));
+  return {bits, least, greatest, held, held};
 }
 
 TEST_CASE("changes end in the same cells for 1 to 8 threads, the sum clamped to the end of its range") {
@@ -73,7 +78,7 @@ TEST_CASE("seeded: cells that change in two steps lose changes") {
 TEST_CASE("a sum of amounts stops at the end of the range") {
   holds("as 64-bit integers", [](std::uint32_t a, std::uint32_t b) {
     const std::uint64_t sum = std::uint64_t{a} + b;
-    RC_ASSERT(add_amounts(a, b) == std::min<std::uint64_t>(sum, std::numeric_limits<std::uint32_t>::max()));
+    RC_ASSERT(add_saturating(a, b) == std::min<std::uint64_t>(sum, std::numeric_limits<std::uint32_t>::max()));
   });
 }
 
