@@ -3,13 +3,13 @@
 #pragma once
 // What nearly every test includes and none of the library's own: read once instead of a hundred times.
 #include <doctest/doctest.h>
-#include <rapidcheck.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <rapidcheck.h>
 
 #include <algorithm>
 #include <array>
