@@ -24,7 +24,7 @@ template <std::floating_point Real>
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline constexpr Real saturate(Real x) noexcept;
 
-/// The sum of two, held to 2³² - 1. Associative and commutative.
+/// The sum of two, clamped to 2³² - 1. Associative and commutative.
 [[nodiscard]] constexpr std::uint32_t add_saturating(std::uint32_t a, std::uint32_t b) noexcept;
 
 /// log₂ x from + − × alone, so that every machine agrees on its bits. For normal x > 0 within

@@ -17,7 +17,7 @@ namespace pelage {
   return (static_cast<std::uint64_t>(depth_key(f.depth)) << 32u) | static_cast<std::uint64_t>(f.id);
 }
 
-/// The fragment that was packed, but for the sign of a zero depth.
+/// The fragment that was packed, except for the sign of a zero depth.
 [[nodiscard]] constexpr fragment unpack(std::uint64_t number) noexcept {
   return fragment{depth_from_key(static_cast<std::uint32_t>(number >> 32u)), static_cast<std::uint32_t>(number)};
 }

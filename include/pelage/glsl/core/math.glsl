@@ -16,7 +16,7 @@ precise float pelage_safe_sqrt(float x);
 /// x clamped to [0, 1]; NaN gives 0.
 float pelage_saturate(float x);
 
-/// The sum of two, held to 2³² - 1. Associative and commutative.
+/// The sum of two, clamped to 2³² - 1. Associative and commutative.
 uint pelage_add_saturating(uint a, uint b);
 
 /// log₂ x from + − × alone, so that every machine agrees on its bits. For normal x > 0 within

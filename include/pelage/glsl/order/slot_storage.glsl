@@ -28,7 +28,7 @@ uint64_t pelage_pack(pelage_fragment f) {
   return (uint64_t(pelage_depth_key(f.depth)) << 32u) | uint64_t(f.id);
 }
 
-/// The fragment that was packed, but for the sign of a zero depth.
+/// The fragment that was packed, except for the sign of a zero depth.
 pelage_fragment pelage_unpack(uint64_t number) {
   return pelage_fragment(pelage_depth_from_key(uint(number >> 32u)), uint(number));
 }
