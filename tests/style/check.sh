@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 . tests/packages.sh
 pelage_install "${pelage_style_packages[@]}"
 
-mapfile -d '' -t sources < <(git ls-files -z '*.hpp' '*.cpp' ':!include/pelage/glsl.hpp')
+mapfile -d '' -t sources < <(git ls-files -z '*.hpp' '*.cpp')
 clang-format --dry-run --Werror "${sources[@]}"
 
 work=$(mktemp -d)

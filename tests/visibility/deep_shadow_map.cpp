@@ -65,9 +65,10 @@ float draw_depth() {
 }
 
 float draw_alpha() {
-  return *rc::gen::oneOf(rc::gen::map(rc::gen::inRange(0, 1001), [](int i) { return static_cast<float>(i) / 1000.0f; }),
-                         rc::gen::map(rc::gen::inRange(0, 1001), [](int i) { return static_cast<float>(i) / 20000.0f; }),
-                         rc::gen::element(0.0f, 1.0f, 1e-7f, 2.0f, -1.0f, nan));
+  return *rc::gen::oneOf(
+      rc::gen::map(rc::gen::inRange(0, 1001), [](int i) { return static_cast<float>(i) / 1000.0f; }),
+      rc::gen::map(rc::gen::inRange(0, 1001), [](int i) { return static_cast<float>(i) / 20000.0f; }),
+      rc::gen::element(0.0f, 1.0f, 1e-7f, 2.0f, -1.0f, nan));
 }
 
 std::vector<occluder> draw_occluders() {
@@ -135,7 +136,8 @@ TEST_CASE("transmittance never rises, begins at 1 and stays in [0, 1]") {
 TEST_CASE("a greater error needs no more vertices on hair, and far fewer") {
   std::vector<occluder> hair;
   for (int i = 0; i < 200; ++i) {
-    hair.push_back(occluder{1.0f + 0.01f * static_cast<float>(i) + 0.004f * std::sin(7.0f * static_cast<float>(i)), 0.03f});
+    hair.push_back(
+        occluder{1.0f + 0.01f * static_cast<float>(i) + 0.004f * std::sin(7.0f * static_cast<float>(i)), 0.03f});
   }
   std::vector<std::uint32_t> counts;
   for (const float error : {0.0f, 0.003f, 0.01f, 0.03f, 0.1f}) {

@@ -14,7 +14,9 @@ namespace pelage::test {
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-float any_float(std::uint32_t bits) { return std::bit_cast<float>(bits); }
+float any_float(std::uint32_t bits) {
+  return std::bit_cast<float>(bits);
+}
 
 /// The laws of a position as a function of depth.
 template <class Position>
@@ -46,7 +48,8 @@ TEST_CASE("positions lie in [0, layers] and never fall, whatever the depth and t
 TEST_CASE("growing layers never fall from float to float round every layer's end") {
   for (std::uint32_t layer = 1u; layer <= 64u; ++layer) {
     float offset = static_cast<float>(layer * (layer + 1u) / 2u);
-    for (int step = 0; step < 16; ++step) offset = std::nextafter(offset, 0.0f);
+    for (int step = 0; step < 16; ++step)
+      offset = std::nextafter(offset, 0.0f);
     for (int step = 0; step < 32; ++step) {
       const float next = std::nextafter(offset, inf);
       CHECK(growing_layer_position(offset, 1.0f, 64u) <= growing_layer_position(next, 1.0f, 64u));

@@ -82,8 +82,8 @@ struct atomic_cell_storage {
 static_assert(cell_storage<atomic_cell_storage>);
 
 // The changes below commute, so that a cell ends with the same bits for every interleaving. All are lock-free, and
-// wait-free except for add_to_cell() where the hardware has the change. All accesses are relaxed: a cell is a number that
-// leads to nothing else, and no thread reads a structure while others build it; between the two phases the caller
+// wait-free except for add_to_cell() where the hardware has the change. All accesses are relaxed: a cell is a number
+// that leads to nothing else, and no thread reads a structure while others build it; between the two phases the caller
 // joins its threads, or waits at a barrier that synchronises them.
 
 /// Sets bits. Costs no write where they are set already.

@@ -44,8 +44,8 @@ template <real_number Real>
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real small_exponential(Real x) noexcept;
 
-/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN, in a shader NaN or
-/// +inf.
+/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN, in a shader NaN
+/// or +inf.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real exponential(Real x) noexcept;
 

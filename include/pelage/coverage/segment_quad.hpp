@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/vector_math.hpp>
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/ray_cone.hpp>
-#include <pelage/core/vector_math.hpp>
 
 #include <glm/vec3.hpp>
 
