@@ -19,7 +19,7 @@ namespace pelage::test {
 ///
 /// The arguments are drawn at random, or inside by `*rc::gen::inRange(0, 8)`. RC_ASSERT states what must hold,
 /// RC_PRE drops a draw that the claim is not about. A failure shows the smallest counterexample, and at the end of
-/// the run the setting that repeats it: `RC_PARAMS="reproduce=..." build/dev/tests/test_core`. `claim` is
+/// the run the setting that repeats it: `RC_PARAMS="reproduce=..." build/dev/tests/test_core_fragment`. `claim` is
 /// the property's key there, so no other of the file has its name. RC_PARAMS="seed=7 max_success=10000" draws
 /// other and more cases.
 template <typename Property>
