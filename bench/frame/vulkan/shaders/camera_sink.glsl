@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // Where the camera's fragments go once they are in order: over the picture's opaque background. See camera_film in
-// bench/frame/shading.hpp; radiance is interpolated between the strand's points, which shade.comp has lit.
+// bench/frame/shading/camera_film.hpp; radiance is interpolated between the strand's points, which shade.comp has lit.
 #ifndef PELAGE_FRAME_CAMERA_SINK_GLSL
 #define PELAGE_FRAME_CAMERA_SINK_GLSL
 #include "pelage/glsl/composite/radiance.glsl"

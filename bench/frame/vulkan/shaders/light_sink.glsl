@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // Where a light's fragments go once they are in order: the texel's entries, each with the optical depth up to and
-// including it, then the sum and the farthest depth of those that were not kept. See bench/frame/shadow_map.hpp.
+// including it, then the sum and the farthest depth of those that were not kept. See bench/frame/shadows/shadow_map.hpp.
 #ifndef PELAGE_FRAME_LIGHT_SINK_GLSL
 #define PELAGE_FRAME_LIGHT_SINK_GLSL
 #include "pelage/glsl/composite/optical_depth.glsl"

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// What arrives at a point from a light, and what its map lets through, as bench/frame/lights.hpp and shadow_map.hpp
+// What arrives at a point from a light, and what its map lets through, as bench/frame/scene/lights.hpp and shadows/shadow_map.hpp
 // have it.
 #ifndef PELAGE_FRAME_LIGHTING_GLSL
 #define PELAGE_FRAME_LIGHTING_GLSL

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// A view's projection, as bench/frame/view.hpp has it.
+// A view's projection, as bench/frame/scene/view.hpp has it.
 #ifndef PELAGE_FRAME_PROJECTION_GLSL
 #define PELAGE_FRAME_PROJECTION_GLSL
 #include "pelage/glsl/coverage/ray_cone.glsl"

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// A segment in a view and what it leaves in a pixel, exact coverage included, as bench/frame/raster.hpp has it.
+// A segment in a view and what it leaves in a pixel, exact coverage included, as bench/frame/raster/raster.hpp has it.
 #ifndef PELAGE_FRAME_RASTER_GLSL
 #define PELAGE_FRAME_RASTER_GLSL
 #include "pelage/glsl/composite/optical_depth.glsl"

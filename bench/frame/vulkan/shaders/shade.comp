@@ -7,7 +7,7 @@
 #include "pelage/glsl/bsdf/kajiya_kay.glsl"
 #include "lighting.glsl"
 
-// As bench/frame/fibre_bsdf.cpp and shading.cpp have them.
+// As bench/frame/shading has them.
 const float diffuse_weight = 0.55;
 const float specular_weight = 0.22;
 const float exponent = 60.0;

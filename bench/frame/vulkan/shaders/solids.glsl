@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// The opaque objects and what a ray meets of them, as bench/frame/solids.hpp and ellipsoid.hpp have it.
+// The opaque objects and what a ray meets of them, as bench/frame/scene/solids.hpp and model/ellipsoid.hpp have it.
 #ifndef PELAGE_FRAME_SOLIDS_GLSL
 #define PELAGE_FRAME_SOLIDS_GLSL
 #include "projection.glsl"
