@@ -27,11 +27,11 @@ class lists final : public pixel_visitor {
       first_.push_back(first_.back() + n);
     all_.resize(first_.back());
   }
-  void lose(int, int, std::span<const seen_fragment>, tail&) override {}
-  void finish(int x, int y, std::span<const seen_fragment> nearest, const tail&) override {
+  void lose(int, int, std::span<const pixel_fragment>, tail&) override {}
+  void finish(int x, int y, std::span<const pixel_fragment> nearest, const tail&) override {
     sample* out = all_.data() + first_[static_cast<std::size_t>(y * from_.from().width + x)];
-    for (const auto& [segment, where] : nearest)
-      *out++ = {where.depth, where.coverage, segment};
+    for (const pixel_fragment& f : nearest)
+      *out++ = {f.depth, f.coverage, f.id};
   }
 
   [[nodiscard]] std::size_t pixels() const { return first_.size() - 1; }

@@ -128,7 +128,7 @@ TEST_CASE("the fibres in the way never fall with depth, and are the sum of cover
     double sum = 0.0;
     double stopped = 0.0;
     for (std::uint32_t s = 0; s < scene.fibres.segment_count(); ++s) {
-      const touch t = scene.fragments.at(s, x, y);
+      const pixel_fragment t = scene.fragments.at(s, x, y);
       if (t.depth >= map.limit()[static_cast<std::size_t>(y * texels + x)]) continue;
       sum += static_cast<double>(t.coverage);
       stopped += static_cast<double>(t.coverage * scene.fragments.mix(scene.fibres.opacity, s, t.along));

@@ -28,8 +28,8 @@ TEST_CASE("every pixel gets its visible fragments once, in the order of drawing,
     std::uint64_t count = 0;
     std::size_t longest = 0;
     for (const std::uint32_t segment : order) {
-      from.for_each(segment, whole(v), [&](int x, int y, const touch& t) {
-        if (t.depth >= limit[0]) return;
+      from.for_each(segment, whole(v), [&](int x, int y, const pixel_fragment& f) {
+        if (f.depth >= limit[0]) return;
         std::vector<std::uint32_t>& list = truth[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
         list.push_back(segment);
         longest = std::max(longest, list.size());
@@ -39,13 +39,12 @@ TEST_CASE("every pixel gets its visible fragments once, in the order of drawing,
     std::vector<std::vector<std::uint32_t>> seen(limit.size());
     std::vector<int> visits(limit.size(), 0);
     const order_report report = on_threads(*rc::gen::element(1, 2, 4), [&] {
-      return run_list_pass(from, limit, order, [&](int x, int y, std::span<seen_fragment> all) {
+      return run_list_pass(from, limit, order, [&](int x, int y, std::span<pixel_fragment> all) {
         const std::size_t p = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
         ++visits[p];
-        for (const seen_fragment& f : all) {
-          const touch same = from.at(f.id, x, y);
-          const bool kept =
-              f.where.depth == same.depth && f.where.coverage == same.coverage && f.where.along == same.along;
+        for (const pixel_fragment& f : all) {
+          const pixel_fragment same = from.at(f.id, x, y);
+          const bool kept = f.depth == same.depth && f.coverage == same.coverage && f.along == same.along;
           seen[p].push_back(kept ? f.id : 0xffffffffU);
         }
       });

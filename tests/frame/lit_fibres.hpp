@@ -45,9 +45,9 @@ struct lit_fibres {
   [[nodiscard]] std::vector<std::pair<float, double>> fragments_of(int x, int y, const frame::shadow_map& map) const {
     std::vector<std::pair<float, double>> found;
     for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
-      const frame::touch t = fragments.at(s, x, y);
-      if (t.coverage > 0.0F && t.depth < map.limit()[static_cast<std::size_t>(y * texels + x)]) {
-        found.emplace_back(t.depth, 1.0 - static_cast<double>(fragments.mix(fibres.opacity, s, t.along) * t.coverage));
+      const frame::pixel_fragment f = fragments.at(s, x, y);
+      if (f.coverage > 0.0F && f.depth < map.limit()[static_cast<std::size_t>(y * texels + x)]) {
+        found.emplace_back(f.depth, 1.0 - static_cast<double>(fragments.mix(fibres.opacity, s, f.along) * f.coverage));
       }
     }
     std::sort(found.begin(), found.end());

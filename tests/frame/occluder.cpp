@@ -21,8 +21,8 @@ solids ball(const glm::vec3& centre, float radius) {
 
 bool leaves_fragments_before(const raster& from, std::span<const float> limit, std::uint32_t segment) {
   bool any = false;
-  from.for_each(segment, whole(from.from()), [&](int x, int y, const touch& t) {
-    any = any || !(t.depth >= limit[static_cast<std::size_t>(y * from.from().width + x)]);
+  from.for_each(segment, whole(from.from()), [&](int x, int y, const pixel_fragment& f) {
+    any = any || !(f.depth >= limit[static_cast<std::size_t>(y * from.from().width + x)]);
   });
   return any;
 }

@@ -40,17 +40,17 @@ std::size_t pixels_of(const raster& from) {
   return pixel_of(from, 0, from.from().height);
 }
 
-tail with(const tail& behind, const seen_fragment& lost) {
-  const glm::vec3 colour(static_cast<float>(lost.id), lost.where.depth, lost.where.along);
-  return add_fragment(behind, lost.where.coverage, colour);
+tail with(const tail& behind, const pixel_fragment& lost) {
+  const glm::vec3 colour(static_cast<float>(lost.id), lost.depth, lost.along);
+  return add_fragment(behind, lost.coverage, colour);
 }
 
-std::vector<std::uint32_t> page_of(std::span<const seen_fragment> nearest, const tail& behind) {
+std::vector<std::uint32_t> page_of(std::span<const pixel_fragment> nearest, const tail& behind) {
   std::vector<std::uint32_t> page;
-  for (const auto& [id, where] : nearest) {
-    for (const float value : {where.depth, where.coverage, where.along})
+  for (const pixel_fragment& f : nearest) {
+    for (const float value : {f.depth, f.coverage, f.along})
       page.push_back(std::bit_cast<std::uint32_t>(value));
-    page.push_back(id);
+    page.push_back(f.id);
   }
   page.insert(page.end(), {behind.optical, behind.weight, behind.red, behind.green, behind.blue});
   return page;
@@ -65,11 +65,11 @@ struct recorder : pixel_visitor {
   explicit recorder(const raster& r) : from(r), written(pixels_of(r)) {}
 
   void expect(std::span<const std::uint32_t> counts) override { expected.assign(counts.begin(), counts.end()); }
-  void lose(int, int, std::span<const seen_fragment> lost, tail& behind) override {
-    for (const seen_fragment& f : lost)
+  void lose(int, int, std::span<const pixel_fragment> lost, tail& behind) override {
+    for (const pixel_fragment& f : lost)
       behind = with(behind, f);
   }
-  void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override {
+  void finish(int x, int y, std::span<const pixel_fragment> nearest, const tail& behind) override {
     std::vector<std::uint32_t>& page = written[pixel_of(from, x, y)];
     if (!page.empty()) throw std::logic_error("a pixel is finished twice");
     page = page_of(nearest, behind);
@@ -77,27 +77,27 @@ struct recorder : pixel_visitor {
 };
 
 /// The fragments of each pixel in the order of drawing, found one by one.
-std::vector<std::vector<seen_fragment>> arrivals(const raster& from, std::span<const float> limit,
-                                                 std::span<const std::uint32_t> order) {
-  std::vector<std::vector<seen_fragment>> lists(pixels_of(from));
+std::vector<std::vector<pixel_fragment>> arrivals(const raster& from, std::span<const float> limit,
+                                                  std::span<const std::uint32_t> order) {
+  std::vector<std::vector<pixel_fragment>> lists(pixels_of(from));
   for (std::uint32_t i = 0; i < from.fibres().segment_count(); ++i) {
     const std::uint32_t segment = order.empty() ? i : order[i];
-    from.for_each(segment, whole(from.from()), [&](int x, int y, const touch& t) {
+    from.for_each(segment, whole(from.from()), [&](int x, int y, const pixel_fragment& f) {
       const std::size_t p = pixel_of(from, x, y);
-      if (limit.empty() || t.depth < limit[p]) lists[p].push_back({segment, t});
+      if (limit.empty() || f.depth < limit[p]) lists[p].push_back(f);
     });
   }
   return lists;
 }
 
-bool nearer(const seen_fragment& a, const seen_fragment& b) {
-  return before({a.where.depth, a.id}, {b.where.depth, b.id});
+bool nearer(const pixel_fragment& a, const pixel_fragment& b) {
+  return before(fragment_of(a), fragment_of(b));
 }
 
 /// What a pass has to leave: the first K of the sorted fragments, and the others in the tail.
 pages truth(const raster& from, std::span<const float> limit, std::size_t k) {
   pages pages;
-  for (std::vector<seen_fragment>& list : arrivals(from, limit, {})) {
+  for (std::vector<pixel_fragment>& list : arrivals(from, limit, {})) {
     std::sort(list.begin(), list.end(), nearer);
     const std::size_t kept = std::min(k, list.size());
     tail behind = empty_tail();
@@ -143,7 +143,7 @@ TEST_CASE("every method leaves the K nearest in order and the rest in the tail, 
 
     std::vector<std::uint32_t> counts;
     std::uint64_t beyond_k = 0;
-    for (const std::vector<seen_fragment>& list : arrivals(from, limit, {})) {
+    for (const std::vector<pixel_fragment>& list : arrivals(from, limit, {})) {
       counts.push_back(static_cast<std::uint32_t>(list.size()));
       beyond_k += list.size() > k ? list.size() - k : 0;
     }
@@ -223,9 +223,9 @@ struct float_tail : recorder {
 
   explicit float_tail(const raster& r) : recorder(r), sum(pixels_of(r), 0.0F) {}
 
-  void lose(int x, int y, std::span<const seen_fragment> lost, tail&) override {
-    for (const seen_fragment& f : lost)
-      sum[pixel_of(from, x, y)] += f.where.coverage * f.where.depth;
+  void lose(int x, int y, std::span<const pixel_fragment> lost, tail&) override {
+    for (const pixel_fragment& f : lost)
+      sum[pixel_of(from, x, y)] += f.coverage * f.depth;
   }
 };
 
@@ -246,9 +246,9 @@ TEST_CASE("drawing orders leave the same bits, but not with ties by arrival, nor
   }));
   CHECK(depends_on_drawing_order(segments, [&](std::span<const std::uint32_t> order) {
     pages written;
-    for (std::vector<seen_fragment>& list : arrivals(from, {}, order)) {
+    for (std::vector<pixel_fragment>& list : arrivals(from, {}, order)) {
       std::stable_sort(list.begin(), list.end(),
-                       [](const seen_fragment& a, const seen_fragment& b) { return a.where.depth < b.where.depth; });
+                       [](const pixel_fragment& a, const pixel_fragment& b) { return a.depth < b.depth; });
       written.push_back(page_of(list, empty_tail()));
     }
     return in_one(written);

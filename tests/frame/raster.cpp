@@ -17,21 +17,21 @@ namespace pelage::test {
 
 using namespace frame;
 
-using touches = std::vector<std::tuple<int, int, float, float, float>>;
+using found_fragments = std::vector<std::tuple<int, int, float, float, float>>;
 
-touches swept(const raster& from, std::uint32_t segment, const pixel_rect& clip) {
-  touches found;
+found_fragments swept(const raster& from, std::uint32_t segment, const pixel_rect& clip) {
+  found_fragments found;
   from.for_each(segment, clip,
-                [&](int x, int y, const touch& t) { found.emplace_back(x, y, t.depth, t.coverage, t.along); });
+                [&](int x, int y, const pixel_fragment& f) { found.emplace_back(x, y, f.depth, f.coverage, f.along); });
   return found;
 }
 
-touches asked_pixel_by_pixel(const raster& from, std::uint32_t segment, const pixel_rect& clip) {
-  touches found;
+found_fragments asked_pixel_by_pixel(const raster& from, std::uint32_t segment, const pixel_rect& clip) {
+  found_fragments found;
   for (int y = clip.y0; y < clip.y1; ++y) {
     for (int x = clip.x0; x < clip.x1; ++x) {
-      const touch t = from.at(segment, x, y);
-      if (t.coverage > 0.0F) found.emplace_back(x, y, t.depth, t.coverage, t.along);
+      const pixel_fragment f = from.at(segment, x, y);
+      if (f.coverage > 0.0F) found.emplace_back(x, y, f.depth, f.coverage, f.along);
     }
   }
   return found;
@@ -50,9 +50,9 @@ pixel_rect any_clip(const view& v) {
 void assert_together_as_alone(const raster& from, const pixel_rect& clip) {
   std::vector<std::uint32_t> all(from.fibres().segment_count());
   std::iota(all.begin(), all.end(), 0U);
-  std::vector<touches> together(all.size());
-  from.for_each(all, clip, [&](std::uint32_t segment, int x, int y, const touch& t) {
-    together[segment].emplace_back(x, y, t.depth, t.coverage, t.along);
+  std::vector<found_fragments> together(all.size());
+  from.for_each(all, clip, [&](int x, int y, const pixel_fragment& f) {
+    together[f.id].emplace_back(x, y, f.depth, f.coverage, f.along);
   });
   for (const std::uint32_t s : all)
     RC_ASSERT(together[s] == swept(from, s, clip));
@@ -121,9 +121,9 @@ std::map<std::pair<int, int>, std::pair<double, int>> coverage_by_pixel(const st
   const raster from(fibres, v, true);
   std::map<std::pair<int, int>, std::pair<double, int>> sum;
   for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
-    from.for_each(s, whole(v), [&](int x, int y, const touch& t) {
+    from.for_each(s, whole(v), [&](int x, int y, const pixel_fragment& f) {
       auto& [coverage, count] = sum[{x, y}];
-      coverage += static_cast<double>(t.coverage);
+      coverage += static_cast<double>(f.coverage);
       ++count;
     });
   }
@@ -183,7 +183,7 @@ double area_ratio(float length, float radius, float angle, bool antialias) {
                            (static_cast<float>(i / steps) + 0.5F) / steps, 0.0F);
     const strands fibres = fibres_of({{middle - half, middle + half}}, radius, 1.0F);
     const raster from(fibres, v, antialias);
-    from.for_each(0, whole(v), [&](int, int, const touch& t) { sum += static_cast<double>(t.coverage); });
+    from.for_each(0, whole(v), [&](int, int, const pixel_fragment& f) { sum += static_cast<double>(f.coverage); });
   }
   const float width = antialias ? 2.0F * radius : std::max(2.0F * radius, 1.0F);
   return sum / (steps * steps) / static_cast<double>(length * width);
@@ -205,7 +205,7 @@ TEST_CASE("without anti-aliasing a pixel is covered whole or not at all") {
     const view v = any_perspective(3.0F, 0.05F);
     const raster from(fibres, v, false);
     for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
-      from.for_each(s, whole(v), [&](int, int, const touch& t) { RC_ASSERT(t.coverage == 1.0F); });
+      from.for_each(s, whole(v), [&](int, int, const pixel_fragment& f) { RC_ASSERT(f.coverage == 1.0F); });
     }
   });
 }

@@ -97,8 +97,8 @@ TEST_CASE("what no limit hides is shaded as without limits, and what is hidden w
     const shaded_fibres all(s.world, s.from, {}, spacing);
     const shaded_fibres some(s.world, s.from, wall, spacing);
     for (std::uint32_t segment = 0; segment < s.fibres.segment_count(); ++segment) {
-      s.from.for_each(segment, whole(s.eye), [&](int, int, const touch& t) {
-        if (t.depth < wall.front()) RC_ASSERT(near(some.at(segment, t.along), all.at(segment, t.along), 0.0F));
+      s.from.for_each(segment, whole(s.eye), [&](int, int, const pixel_fragment& f) {
+        if (f.depth < wall.front()) RC_ASSERT(near(some.at(segment, f.along), all.at(segment, f.along), 0.0F));
       });
     }
     RC_ASSERT(some.evaluations() <= all.evaluations());

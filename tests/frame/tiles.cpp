@@ -28,8 +28,8 @@ std::vector<std::vector<std::uint32_t>> lists_of(const tiles& cut) {
 
 bool leaves_fragments(const raster& from, std::span<const float> limit, std::uint32_t segment, const pixel_rect& rect) {
   bool any = false;
-  from.for_each(segment, rect, [&](int x, int y, const touch& t) {
-    any = any || limit.empty() || !(t.depth >= limit[static_cast<std::size_t>(y * from.from().width + x)]);
+  from.for_each(segment, rect, [&](int x, int y, const pixel_fragment& f) {
+    any = any || limit.empty() || !(f.depth >= limit[static_cast<std::size_t>(y * from.from().width + x)]);
   });
   return any;
 }

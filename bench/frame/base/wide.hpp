@@ -22,12 +22,17 @@ template <class Real>
   return {Real(v.x), Real(v.y), Real(v.z)};
 }
 
+/// 0, 1, 2…
+[[nodiscard]] inline wide::integers counted_lanes() {
+  wide::integers numbers;
+  for (int k = 0; k < wide_width; ++k)
+    numbers[k] = k;
+  return numbers;
+}
+
 /// x, x + 1, x + 2…
 [[nodiscard]] inline wide counted_from(float x) {
-  wide all(x);
-  for (int k = 0; k < wide_width; ++k)
-    all.lane[k] += static_cast<float>(k);
-  return all;
+  return wide(x) + wide(__builtin_convertvector(counted_lanes(), wide::vector));
 }
 
 using pelage::select;
@@ -60,10 +65,7 @@ void for_each_lane(std::uint32_t set, Visit&& visit) {
 
 /// The mask with these bits: what bits() undoes.
 [[nodiscard]] inline lane_mask<wide_width> mask_of(std::uint32_t set) {
-  lane_mask<wide_width> mask;
-  for (int k = 0; k < wide_width; ++k)
-    mask.lane[k] = -static_cast<int>(set >> k & 1U);
-  return mask;
+  return {((static_cast<int>(set) >> counted_lanes()) & 1) != 0};
 }
 
 /// Vectors lane by lane.

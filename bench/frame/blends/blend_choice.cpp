@@ -25,7 +25,7 @@ order_report draw_in_order(camera_film& film, const raster& from, const order_op
 /// `blend(layers, background, x, y)` gives the pixel's colour.
 template <class Blend>
 order_report draw_unordered(camera_film& film, const raster& from, const order_options& order, const Blend& blend) {
-  return run_list_pass(from, film.limit(), order.drawing_order, [&](int x, int y, std::span<seen_fragment> all) {
+  return run_list_pass(from, film.limit(), order.drawing_order, [&](int x, int y, std::span<pixel_fragment> all) {
     static thread_local std::vector<layer> layers;
     film.look_at(x, y, all, layers);
     film.set(x, y, blend(layers, film.behind_fibres(x, y), x, y));
@@ -55,12 +55,12 @@ order_report draw_stochastic(camera_film& film, const raster& from, const order_
 
 /// Every layer costs a pass over the pixel's fragments: the square of the longest list in time, nothing in memory.
 order_report draw_by_peeling(camera_film& film, const raster& from, const order_options& order) {
-  return run_list_pass(from, film.limit(), order.drawing_order, [&](int x, int y, std::span<seen_fragment> all) {
-    static thread_local std::vector<seen_fragment> peeled;
+  return run_list_pass(from, film.limit(), order.drawing_order, [&](int x, int y, std::span<pixel_fragment> all) {
+    static thread_local std::vector<pixel_fragment> peeled;
     peeled.clear();
     depth_peeling peeling = depth_peeling::begin();
     for (;;) {
-      for (const seen_fragment& f : all)
+      for (const pixel_fragment& f : all)
         peeling.offer(fragment_of(f));
       const fragment next = peeling.layer();
       if (!is_fragment(next)) break;

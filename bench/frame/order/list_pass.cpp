@@ -24,15 +24,15 @@ class tile_lists {
     const std::size_t width = static_cast<std::size_t>(from.from().width);
     pixel_.clear();
     arrived_.clear();
-    from.for_each(segments, rect, [&](std::uint32_t segment, int x, int y, const touch& t) {
+    from.for_each(segments, rect, [&](int x, int y, const pixel_fragment& f) {
       const std::size_t in_picture = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-      if (!limit.empty() && t.depth >= limit[in_picture]) return;
-      if (!is_fragment({t.depth, segment})) {
+      if (!limit.empty() && f.depth >= limit[in_picture]) return;
+      if (!is_fragment(fragment_of(f))) {
         ++report.refused;
         return;
       }
       pixel_.push_back(static_cast<std::uint32_t>((y - rect.y0) * tiles::side + (x - rect.x0)));
-      arrived_.push_back({segment, t});
+      arrived_.push_back(f);
     });
     grouped_.resize(arrived_.size());
     std::fill(end_.begin(), end_.end(), 0);
@@ -40,7 +40,7 @@ class tile_lists {
                    [&](std::size_t i, std::size_t place) { grouped_[place] = arrived_[i]; });
     report.fragments += arrived_.size();
     report.bytes =
-        std::max(report.bytes, pixel_.size() * sizeof(std::uint32_t) + 2 * arrived_.size() * sizeof(seen_fragment));
+        std::max(report.bytes, pixel_.size() * sizeof(std::uint32_t) + 2 * arrived_.size() * sizeof(pixel_fragment));
   }
 
   void visit(const pixel_rect& rect, const list_visitor& visitor) {
@@ -48,7 +48,7 @@ class tile_lists {
       for (int x = rect.x0; x < rect.x1; ++x) {
         const std::size_t p = static_cast<std::size_t>((y - rect.y0) * tiles::side + (x - rect.x0));
         const std::size_t begin = p == 0 ? 0 : end_[p - 1];
-        const std::span<seen_fragment> all = std::span(grouped_).subspan(begin, end_[p] - begin);
+        const std::span<pixel_fragment> all = std::span(grouped_).subspan(begin, end_[p] - begin);
         report.longest = std::max(report.longest, static_cast<std::uint32_t>(all.size()));
         visitor(x, y, all);
       }
@@ -59,8 +59,8 @@ class tile_lists {
 
  private:
   std::vector<std::uint32_t> pixel_;
-  std::vector<seen_fragment> arrived_;
-  std::vector<seen_fragment> grouped_;
+  std::vector<pixel_fragment> arrived_;
+  std::vector<pixel_fragment> grouped_;
   std::vector<std::size_t> end_ = std::vector<std::size_t>(static_cast<std::size_t>(tiles::side) * tiles::side);
 };
 

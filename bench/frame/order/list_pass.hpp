@@ -11,7 +11,7 @@ namespace pelage::frame {
 
 /// Takes all fragments of a pixel, in the order of drawing; may change them. Calls for different pixels come from many
 /// threads at once.
-using list_visitor = std::function<void(int x, int y, std::span<seen_fragment> all)>;
+using list_visitor = std::function<void(int x, int y, std::span<pixel_fragment> all)>;
 
 /// Draws all segments of a raster for methods that see a pixel's fragments together: gives each pixel its list once,
 /// pixels without fragments included. Fragments at or behind `limit` (view depth, one a pixel; or empty) are hidden.

@@ -49,22 +49,22 @@ struct order_job {
   }
   [[nodiscard]] std::size_t pixels() const { return pixel(0, from.from().height); }
 
-  /// Calls `visit(segment, x, y, touch)` for the segments' fragments in `clip` that nothing opaque hides.
+  /// Calls `visit(x, y, pixel_fragment)` for the segments' fragments in `clip` that nothing opaque hides.
   template <class Visit>
   void for_each_visible(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const {
-    from.for_each(segments, clip, [&](std::uint32_t segment, int x, int y, const touch& t) {
-      if (limit.empty() || !(t.depth >= limit[pixel(x, y)])) visit(segment, x, y, t);
+    from.for_each(segments, clip, [&](int x, int y, const pixel_fragment& f) {
+      if (limit.empty() || !(f.depth >= limit[pixel(x, y)])) visit(x, y, f);
     });
   }
 
-  /// Calls `visit(touches)` for the same.
+  /// Calls `visit(drawn_fragments)` for the same.
   template <class Visit>
   void for_each_visible_lanes(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const {
-    from.for_each_lanes(segments, clip, [&](raster::touches found) {
+    from.for_each_lanes(segments, clip, [&](drawn_fragments found) {
       if (!limit.empty()) {
         const auto inside = found.y * from.from().width + found.x;
-        const auto here = gathered<raster::width>(limit.data(), found.is_set() ? inside : inside - inside);
-        found.set &= ~bits(lane_mask<raster::width>{found.depth.lane >= here.lane});
+        const auto here = gathered<raster::width>(limit.data(), mask_of(found.set).lane ? inside : inside - inside);
+        found.set &= ~bits(lane_mask<raster::width>{found.lanes.depth.lane >= here.lane});
         if (found.set == 0) return;
       }
       visit(found);
@@ -82,9 +82,7 @@ struct order_job {
       if (!drawing_order.empty()) {
         std::copy_n(drawing_order.begin() + some.begin(), some.size(), segments.begin());
       }
-      for_each_visible(segments, whole, [&](std::uint32_t segment, int x, int y, const touch& t) {
-        visit(x, y, fragment{t.depth, segment});
-      });
+      for_each_visible(segments, whole, [&](int x, int y, const pixel_fragment& f) { visit(x, y, fragment_of(f)); });
     });
   }
 
@@ -113,14 +111,14 @@ class pixel_resolver {
   }
 
  private:
-  std::span<const seen_fragment> look_up(const order_job& work, int x, int y, std::span<const fragment> all) {
+  std::span<const pixel_fragment> look_up(const order_job& work, int x, int y, std::span<const fragment> all) {
     seen_.clear();
     for (const fragment& f : all)
-      seen_.push_back({f.id, work.from.at(f.id, x, y)});
+      seen_.push_back(work.from.at(f.id, x, y));
     return seen_;
   }
 
-  std::vector<seen_fragment> seen_;
+  std::vector<pixel_fragment> seen_;
 };
 
 /// Calls `run` with K as a std::integral_constant. Throws std::invalid_argument for one that is not compiled.

@@ -10,11 +10,10 @@
 
 namespace pelage::frame {
 
-void pixel_visitor::lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
+void pixel_visitor::lose_lanes(const drawn_fragments& lost, const std::array<std::uint32_t, raster::width>& tail_of,
                                std::span<tail> behind) {
-  for_each_touch(lost, [&](std::size_t k, std::uint32_t segment, int x, int y, const touch& t) {
-    const seen_fragment one{segment, t};
-    lose(x, y, std::span(&one, 1), behind[tail_of[k]]);
+  for_each_drawn(lost, [&](std::size_t k, int x, int y, const pixel_fragment& f) {
+    lose(x, y, std::span(&f, 1), behind[tail_of[k]]);
   });
 }
 

@@ -26,16 +26,6 @@ enum class order_method {
 /// The K that the renderer is compiled for.
 inline constexpr std::array<std::uint32_t, 7> compiled_k{1, 2, 4, 8, 16, 32, 64};
 
-/// A fragment with what its segment leaves in the pixel; its depth is where.depth.
-struct seen_fragment {
-  std::uint32_t id;
-  touch where;
-};
-
-[[nodiscard]] inline fragment fragment_of(const seen_fragment& f) {
-  return {f.where.depth, f.id};
-}
-
 /// What becomes of the fragments once they are in order. Calls for different pixels come from many threads at once,
 /// those for one pixel from one thread after the other.
 class pixel_visitor {
@@ -47,15 +37,15 @@ class pixel_visitor {
 
   /// Fragments that are not among the K nearest go to the pixel's tail: in any order, any number at a time, and
   /// before finish().
-  virtual void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) = 0;
+  virtual void lose(int x, int y, std::span<const pixel_fragment> lost, tail& behind) = 0;
 
   /// The same for fragments of any pixels, all of one thread; that of lane k goes to the tail behind[tail_of[k]]. At
   /// least one lane is set; those that are not hold the number of some segment.
-  virtual void lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
+  virtual void lose_lanes(const drawn_fragments& lost, const std::array<std::uint32_t, raster::width>& tail_of,
                           std::span<tail> behind);
 
   /// The pixel's fragments, nearest first, and its tail. Once a pixel, pixels without fragments included.
-  virtual void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) = 0;
+  virtual void finish(int x, int y, std::span<const pixel_fragment> nearest, const tail& behind) = 0;
 };
 
 /// What a pass did and what it took.

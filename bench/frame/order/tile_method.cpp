@@ -14,8 +14,8 @@
 #include "frame/order/group_by_pixel.hpp"
 #include "frame/order/methods.hpp"
 #include "frame/order/order_job.hpp"
-#include "frame/order/seen_lanes.hpp"
 #include "frame/order/tiles.hpp"
+#include "frame/raster/fragment_lanes.hpp"
 
 /// The method that has one thread draw a tile, whose fragments stay in its cache.
 namespace pelage::frame {
@@ -40,9 +40,10 @@ class tile_worker {
     std::fill(last_id_.begin(), last_id_.end(), no_fragment().id);
     std::fill(behind_.begin(), behind_.end(), empty_tail());
     knows_last_ = false;
-    work.for_each_visible_lanes(segments, rect, [&](raster::touches found) {
+    work.for_each_visible_lanes(segments, rect, [&](drawn_fragments found) {
       const floats infinite(std::numeric_limits<float>::infinity());
-      const std::uint32_t nan = found.set & ~(bits(found.depth < infinite) | bits(found.depth > floats(0.0F)));
+      const std::uint32_t nan =
+          found.set & ~(bits(found.lanes.depth < infinite) | bits(found.lanes.depth > floats(0.0F)));
       refused += static_cast<std::uint64_t>(std::popcount(nan));
       found.set &= ~nan;
       const integers pixel =
@@ -51,7 +52,7 @@ class tile_worker {
       const floats left = packed_left(found.set, floats(reinterpret_cast<floats::vector>(pixel)));
       const auto narrow = __builtin_convertvector(reinterpret_cast<integers>(left.lane), pixel_numbers);
       __builtin_memcpy(&pixel_of_[arrived_count_], &narrow, sizeof(narrow));
-      seen_of(found).packed_left(found.set).store(&arrived_[arrived_count_]);
+      found.lanes.packed_left(found.set).store(&arrived_[arrived_count_]);
       arrived_count_ += static_cast<std::size_t>(std::popcount(found.set));
       if (arrived_count_ >= capacity) flush(work, rect);
     });
@@ -63,32 +64,28 @@ class tile_worker {
   }
 
   [[nodiscard]] static constexpr std::size_t bytes() {
-    return capacity * (sizeof(std::uint16_t) + sizeof(seen_fragment) + sizeof(fragment)) +
-           pixels * (K * (sizeof(seen_fragment) + sizeof(fragment)) + 5 * sizeof(std::uint32_t) + sizeof(tail));
+    return capacity * (sizeof(std::uint16_t) + sizeof(pixel_fragment) + sizeof(fragment)) +
+           pixels * (K * (sizeof(pixel_fragment) + sizeof(fragment)) + 5 * sizeof(std::uint32_t) + sizeof(tail));
   }
 
  private:
-  using floats = seen_lanes::pack;
+  using floats = fragment_lanes::pack;
   using integers = floats::integers;
   using naturals = floats::naturals;
-  typedef std::uint16_t pixel_numbers __attribute__((vector_size(2 * seen_lanes::width)));
+  typedef std::uint16_t pixel_numbers __attribute__((vector_size(2 * fragment_lanes::width)));
 
   static constexpr std::size_t pixels = static_cast<std::size_t>(tiles::side) * tiles::side;
   static constexpr std::size_t capacity = std::size_t{1} << 15;
-  static constexpr std::size_t width = seen_lanes::width;  ///< so many more are written, the last in vain
-
-  [[nodiscard]] static seen_lanes seen_of(const raster::touches& t) {
-    return {t.segment, t.depth, t.coverage, t.along};
-  }
+  static constexpr std::size_t width = fragment_lanes::width;  ///< so many more are written, the last in vain
 
   [[nodiscard]] static naturals gathered_words(const std::vector<std::uint32_t>& from, integers at) {
     return reinterpret_cast<naturals>(
-        gathered<seen_lanes::width>(reinterpret_cast<const float*>(from.data()), at).lane);
+        gathered<fragment_lanes::width>(reinterpret_cast<const float*>(from.data()), at).lane);
   }
 
   /// Hands on the fragments that are behind the last of their pixel's K nearest; returns their bits.
-  std::uint32_t lose_behind(const order_job& work, raster::touches all, integers pixel) {
-    all.set &= seen_of(all).behind(gathered_words(last_key_, pixel), gathered_words(last_id_, pixel));
+  std::uint32_t lose_behind(const order_job& work, drawn_fragments all, integers pixel) {
+    all.set &= all.lanes.behind(gathered_words(last_key_, pixel), gathered_words(last_id_, pixel));
     if (all.set == 0) return 0;
     std::array<std::uint32_t, width> tail_of;
     __builtin_memcpy(tail_of.data(), &pixel, sizeof(pixel));
@@ -116,11 +113,10 @@ class tile_worker {
       pixel_numbers narrow;
       __builtin_memcpy(&narrow, &pixel_of_[i], sizeof(narrow));
       const integers pixel = __builtin_convertvector(narrow, integers) & static_cast<int>(pixels - 1);
-      const seen_lanes f = seen_lanes::load(&arrived_[i]);
+      const fragment_lanes f = fragment_lanes::load(&arrived_[i]);
       const std::uint32_t all = (2U << (some - 1)) - 1U;
-      const std::uint32_t lost = lose_behind(
-          work, {all, f.id, pixel % tiles::side + rect.x0, pixel / tiles::side + rect.y0, f.depth, f.coverage, f.along},
-          pixel);
+      const std::uint32_t lost =
+          lose_behind(work, {all, pixel % tiles::side + rect.x0, pixel / tiles::side + rect.y0, f}, pixel);
       for (std::uint32_t left = all & ~lost; left != 0; left &= left - 1U) {
         const std::size_t k = i + static_cast<std::size_t>(std::countr_zero(left));
         const std::size_t p = pixel_of_[k];
@@ -133,7 +129,7 @@ class tile_worker {
   /// `all`: the new fragments, and room for those that the pixel holds. Finds the last of the K nearest, and lets go of
   /// what it held behind that one.
   void find_last(const order_job& work, const pixel_rect& rect, std::size_t p, std::span<fragment> all) {
-    const std::span<seen_fragment> kept = std::span(kept_).subspan(p * K, held_[p]);
+    const std::span<pixel_fragment> kept = std::span(kept_).subspan(p * K, held_[p]);
     if (all.size() < K) return;
     std::transform(kept.begin(), kept.end(), all.end() - static_cast<std::ptrdiff_t>(kept.size()), fragment_of);
     std::array<fragment, K> nearest;
@@ -142,10 +138,10 @@ class tile_worker {
     last_key_[p] = depth_key(last.depth);
     last_id_[p] = last.id;
 
-    std::array<seen_fragment, K> lost;
+    std::array<pixel_fragment, K> lost;
     std::size_t going = 0;
     std::size_t staying = 0;
-    for (const seen_fragment& f : kept) {
+    for (const pixel_fragment& f : kept) {
       const bool goes = before(last, fragment_of(f));
       lost[going] = f;
       kept[staying] = f;
@@ -162,7 +158,7 @@ class tile_worker {
 
   /// Puts what the pixel holds in order: a fragment's place is the number of those before it.
   void finish(const order_job& work, int x, int y, std::size_t p) {
-    const std::span<const seen_fragment> kept = std::span(kept_).subspan(p * K, held_[p]);
+    const std::span<const pixel_fragment> kept = std::span(kept_).subspan(p * K, held_[p]);
     std::array<std::uint64_t, K> key;
     key.fill(pack(no_fragment()));
     for (std::size_t i = 0; i < kept.size(); ++i)
@@ -172,7 +168,7 @@ class tile_worker {
       for (std::size_t j = 0; j < K; ++j)
         place[j] += key[i] < key[j] ? 1U : 0U;
     }
-    std::array<seen_fragment, K> sorted;
+    std::array<pixel_fragment, K> sorted;
     for (std::size_t i = 0; i < kept.size(); ++i)
       sorted[place[i]] = kept[i];
     const std::uint32_t count = count_[p] + held_[p];
@@ -185,14 +181,14 @@ class tile_worker {
   bool knows_last_ = false;  ///< of any pixel's K nearest
   std::size_t arrived_count_ = 0;
   std::vector<std::uint16_t> pixel_of_ = std::vector<std::uint16_t>(capacity + width);
-  std::vector<seen_fragment> arrived_ = std::vector<seen_fragment>(capacity + width);
+  std::vector<pixel_fragment> arrived_ = std::vector<pixel_fragment>(capacity + width);
   std::vector<fragment> by_pixel_ = std::vector<fragment>(capacity + width + pixels * K);
   std::vector<std::uint32_t> end_ = std::vector<std::uint32_t>(pixels);       ///< where each pixel's arrivals end
   std::vector<std::uint32_t> count_ = std::vector<std::uint32_t>(pixels);     ///< of its fragments, lost
   std::vector<std::uint32_t> held_ = std::vector<std::uint32_t>(pixels);      ///< of them, kept
   std::vector<std::uint32_t> last_key_ = std::vector<std::uint32_t>(pixels);  ///< depth_key() of the K-th nearest
   std::vector<std::uint32_t> last_id_ = std::vector<std::uint32_t>(pixels);   ///< and its id
-  std::vector<seen_fragment> kept_ = std::vector<seen_fragment>(pixels * K);
+  std::vector<pixel_fragment> kept_ = std::vector<pixel_fragment>(pixels * K);
   std::vector<tail> behind_ = std::vector<tail>(pixels);
 };
 

@@ -13,48 +13,11 @@
 #include <vector>
 
 #include "frame/model/strands.hpp"
+#include "frame/raster/fragment_lanes.hpp"
 #include "frame/raster/outline.hpp"
 #include "frame/scene/view.hpp"
 
 namespace pelage::frame {
-
-/// What a segment leaves in a pixel.
-struct touch {
-  float depth;     ///< view depth of the point of the pixel's ray nearest to the fibre's axis
-  float coverage;  ///< share of the pixel's disc, [0, 1]; 0: the segment is not in this pixel
-  float along;     ///< position on the segment, [0, 1]
-};
-
-/// As many touches as the lanes whose bit is set, each with the segment that leaves it and the pixel.
-template <int W>
-struct touch_lanes {
-  std::uint32_t set;
-  typename lanes<W>::integers segment, x, y;
-  lanes<W> depth, coverage, along;
-
-  /// A mask of the same bits.
-  [[nodiscard]] typename lanes<W>::integers is_set() const {
-    typename lanes<W>::integers number;
-    for (int k = 0; k < W; ++k)
-      number[k] = k;
-    return ((static_cast<int>(set) >> number) & 1) != 0;
-  }
-};
-
-/// Calls `visit(k, segment, x, y, touch)` for each lane whose bit is set.
-template <int W, class Visit>
-void for_each_touch(const touch_lanes<W>& all, Visit&& visit) {
-  float depth[W];
-  float coverage[W];
-  float along[W];
-  all.depth.store(depth);
-  all.coverage.store(coverage);
-  all.along.store(along);
-  for (std::uint32_t left = all.set; left != 0; left &= left - 1U) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
-    visit(k, static_cast<std::uint32_t>(all.segment[k]), all.x[k], all.y[k], touch{depth[k], coverage[k], along[k]});
-  }
-}
 
 /// All strands as one view sees them, and the fragments that they leave in its pixels. The same question asked
 /// twice gives the same bits, so that a fragment's depth and coverage need not be kept: its id finds them again.
@@ -64,30 +27,28 @@ void for_each_touch(const touch_lanes<W>& all, Visit&& visit) {
 class raster {
  public:
   static constexpr int width = lane_width();
-  using touches = touch_lanes<width>;
-
   /// `antialias` off: a pixel is covered whole if the axis crosses its disc or the fibre its centre, else not at all.
   /// Both references must outlive the raster. O(points), parallel.
   raster(const strands& fibres, const view& from, bool antialias);
 
   /// The fragment of a segment in a pixel of the view.
-  [[nodiscard]] touch at(std::uint32_t segment, int x, int y) const;
+  [[nodiscard]] pixel_fragment at(std::uint32_t segment, int x, int y) const;
 
   // The bodies of what visits many pixels stand in sweep.hpp.
 
-  /// Calls `visit(touches)` until every pixel of `clip` is told that a segment covers in part: segment by segment, each
-  /// row by row. The fastest way: pixels of many segments go through the kernels together.
+  /// Calls `visit(drawn_fragments)` until every pixel of `clip` is told that a segment covers in part: segment by
+  /// segment, each row by row. The fastest way: pixels of many segments go through the kernels together.
   template <class Visit>
   void for_each_lanes(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const;
 
-  /// Calls `visit(segment, x, y, touch)` for each of the same.
+  /// Calls `visit(x, y, pixel_fragment)` for each of the same.
   template <class Visit>
   void for_each(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const;
 
-  /// Calls `visit(x, y, touch)` for those of one segment.
+  /// The same for one segment.
   template <class Visit>
   void for_each(std::uint32_t segment, const pixel_rect& clip, Visit&& visit) const {
-    for_each(std::span(&segment, 1), clip, [&](std::uint32_t, int x, int y, const touch& t) { visit(x, y, t); });
+    for_each(std::span(&segment, 1), clip, visit);
   }
 
   /// The pixels of the view that the segment may touch; empty (x0 >= x1 or y0 >= y1) when there are none.
@@ -144,7 +105,7 @@ inline float raster::nearest_depth(std::uint32_t segment) const {
   return (-std::max(a.z, b.z) - reach) / (1.0F + view_.cone.slope);
 }
 
-inline touch raster::at(std::uint32_t segment, int x, int y) const {
+inline pixel_fragment raster::at(std::uint32_t segment, int x, int y) const {
   const std::uint32_t i = fibres_.segment[segment];
   const projected& a = point_[i];
   const projected& b = point_[i + 1];
@@ -153,7 +114,7 @@ inline touch raster::at(std::uint32_t segment, int x, int y) const {
   const bool before_end = glm::dot(centre - pixel_of(b), joint_of(b)) < 0.0F;
   if (behind_start || !before_end) {
     const bool seen_end_on = joint_of(a) == glm::vec2(0.0F) && joint_of(b) == glm::vec2(0.0F);
-    if (!seen_end_on) return touch{0.0F, 0.0F, 0.0F};
+    if (!seen_end_on) return {segment, 0.0F, 0.0F, 0.0F};
   }
 
   const view_ray ray = view_.ray(centre);
@@ -164,7 +125,7 @@ inline touch raster::at(std::uint32_t segment, int x, int y) const {
                                  : (pair.distance <= std::max(radius, disc) ? 1.0F : 0.0F);
   const float axis_depth = -(a.z + pair.along_segment * (b.z - a.z));
   const bool in_front = std::min(pair.along_ray, axis_depth) >= view_.near_plane;
-  return touch{pair.along_ray, in_front ? share : 0.0F, pair.along_segment};
+  return {segment, pair.along_ray, in_front ? share : 0.0F, pair.along_segment};
 }
 
 }  // namespace pelage::frame

@@ -21,7 +21,7 @@ class raster::sweep {
  public:
   sweep(const raster& from, const pixel_rect& clip) : from_(from), clip_(clip) {}
 
-  /// Calls `visit(touches)` for those of at most `width` segments.
+  /// Calls `visit(drawn_fragments)` for those of at most `width` segments.
   template <class Visit>
   void draw(std::span<const std::uint32_t> segments, Visit&& visit);
 
@@ -45,16 +45,10 @@ class raster::sweep {
   void look_at_whole(Look&& look);
 
   /// What the segments leave in the pixels of `place` that wait there.
-  [[nodiscard]] touches look_at(integers place) const;
+  [[nodiscard]] drawn_fragments look_at(integers place) const;
 
   [[nodiscard]] static integers whole_numbers(pack x) { return __builtin_convertvector(x.lane, integers); }
   [[nodiscard]] static pack as_floats(integers x) { return pack(__builtin_convertvector(x, pack::vector)); }
-  [[nodiscard]] static integers iota() {
-    integers numbers;
-    for (int k = 0; k < width; ++k)
-      numbers[k] = k;
-    return numbers;
-  }
   static void store(integers x, int* to) { __builtin_memcpy(to, &x, sizeof(x)); }
   [[nodiscard]] static integers load(const int* from) {
     integers x;
@@ -93,9 +87,8 @@ void raster::for_each_lanes(std::span<const std::uint32_t> segments, const pixel
 
 template <class Visit>
 void raster::for_each(std::span<const std::uint32_t> segments, const pixel_rect& clip, Visit&& visit) const {
-  for_each_lanes(segments, clip, [&](const touches& found) {
-    for_each_touch(found,
-                   [&](std::size_t, std::uint32_t segment, int x, int y, const touch& t) { visit(segment, x, y, t); });
+  for_each_lanes(segments, clip, [&](const drawn_fragments& found) {
+    for_each_drawn(found, [&](std::size_t, int x, int y, const pixel_fragment& f) { visit(x, y, f); });
   });
 }
 
@@ -141,7 +134,7 @@ void raster::sweep::draw(std::span<const std::uint32_t> segments, Visit&& visit)
   near.half.store(half);
 
   const auto look = [&](int first, int count) {
-    touches found = look_at(load(waiting_.data() + first));
+    drawn_fragments found = look_at(load(waiting_.data() + first));
     if (count < width) found.set &= (1U << count) - 1U;
     if (found.set != 0) visit(found);
   };
@@ -198,11 +191,11 @@ void raster::sweep::queue(int lane, const outline<float>& near, Look&& look) {
   const int y0 = std::max(static_cast<int>(near.y0), clip_.y0);
   const int y1 = std::min(static_cast<int>(near.y1), clip_.y1);
   for (int y = y0; y < y1; y += width) {
-    const pack centre = as_floats(iota()) + pack(static_cast<float>(y) + 0.5F);
+    const pack centre = as_floats(counted_lanes()) + pack(static_cast<float>(y) + 0.5F);
     const pack crossing = pack(near.x) + (centre - pack(near.y)) * pack(near.slope);
     const integers left = whole_numbers(first_centre_from(crossing - pack(near.half), low, high));
     const integers right = whole_numbers(first_centre_from(crossing + pack(near.half), low, high));
-    const integers first = left + (((lane << coordinate_bits) + y + iota()) << coordinate_bits);
+    const integers first = left + (((lane << coordinate_bits) + y + counted_lanes()) << coordinate_bits);
     alignas(64) int places[width];
     alignas(64) int counts[width];
     store(first, places);
@@ -212,18 +205,18 @@ void raster::sweep::queue(int lane, const outline<float>& near, Look&& look) {
       int place = places[row];
       int rest = counts[row];
       for (; rest > width; rest -= width, place += width) {
-        store(iota() + place, waiting_.data() + count_);
+        store(counted_lanes() + place, waiting_.data() + count_);
         count_ += width;
         look_at_whole(look);
       }
-      store(iota() + place, waiting_.data() + count_);
+      store(counted_lanes() + place, waiting_.data() + count_);
       count_ += rest;
     }
     if (count_ >= capacity - rows_at_most) look_at_whole(look);
   }
 }
 
-inline raster::touches raster::sweep::look_at(integers place) const {
+inline drawn_fragments raster::sweep::look_at(integers place) const {
   const view& v = from_.view_;
   const integers lane = place >> (2 * coordinate_bits) & (width - 1);
   const integers row = place >> coordinate_bits & coordinate_mask;
@@ -263,8 +256,10 @@ inline raster::touches raster::sweep::look_at(integers place) const {
   const pack near_plane(v.near_plane);
   share = select(pair.along_ray < near_plane, zero, select(axis_depth < near_plane, zero, share));
   share = select(behind_start, zero, select(before_end, share, zero));
-  return {bits(share > zero), picked_integers<width>(number_, lane), column, row, pair.along_ray, share,
-          pair.along_segment};
+  return {bits(share > zero),
+          column,
+          row,
+          {picked_integers<width>(number_, lane), pair.along_ray, share, pair.along_segment}};
 }
 
 }  // namespace pelage::frame

@@ -40,14 +40,14 @@ class camera_film final : public pixel_visitor {
   [[nodiscard]] std::span<const float> limit() const { return behind_.limit(); }
 
   void expect(std::span<const std::uint32_t> fragments_per_pixel) override { (void)fragments_per_pixel; }
-  void lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) override;
-  void lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
+  void lose(int x, int y, std::span<const pixel_fragment> lost, tail& behind) override;
+  void lose_lanes(const drawn_fragments& lost, const std::array<std::uint32_t, raster::width>& tail_of,
                   std::span<tail> behind) override;
-  void finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) override;
+  void finish(int x, int y, std::span<const pixel_fragment> nearest, const tail& behind) override;
 
   /// For methods that blend in another way than finish(): a pixel's fragments as layers, what is seen behind them, and
   /// what both come to. May be called for different pixels at once.
-  void look_at(int x, int y, std::span<const seen_fragment> all, std::vector<layer>& layers) const;
+  void look_at(int x, int y, std::span<const pixel_fragment> all, std::vector<layer>& layers) const;
   [[nodiscard]] const glm::vec3& behind_fibres(int x, int y) const { return picture_.at(x, y); }  ///< before set()
   void set(int x, int y, const glm::vec3& colour) { picture_.at(x, y) = colour; }
 
@@ -55,8 +55,8 @@ class camera_film final : public pixel_visitor {
 
  private:
   [[nodiscard]] std::size_t index(int x, int y) const;
-  [[nodiscard]] float visible_coverage(std::size_t pixel, const touch& where) const;
-  [[nodiscard]] float opacity(const seen_fragment& f) const;
+  [[nodiscard]] float visible_coverage(std::size_t pixel, const pixel_fragment& f) const;
+  [[nodiscard]] float opacity(const pixel_fragment& f) const;
 
   const raster& from_;
   const backdrop& behind_;

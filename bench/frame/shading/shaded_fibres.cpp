@@ -97,12 +97,12 @@ glm::vec3 shaded_fibres::at(std::uint32_t segment, float along) const {
   return glm::mix(place_[first + before], place_[first + before + 1], position - static_cast<float>(before));
 }
 
-lane_vector<seen_lanes::width> shaded_fibres::at(const seen_lanes& all) const {
-  using pack = seen_lanes::pack;
-  using integers = seen_lanes::integers;
+lane_vector<fragment_lanes::width> shaded_fibres::at(const fragment_lanes& all) const {
+  using pack = fragment_lanes::pack;
+  using integers = fragment_lanes::integers;
   if (first_.empty()) {
-    lane_vector<seen_lanes::width> found;
-    for (int k = 0; k < seen_lanes::width; ++k) {
+    lane_vector<fragment_lanes::width> found;
+    for (int k = 0; k < fragment_lanes::width; ++k) {
       const glm::vec3 one = at(static_cast<std::uint32_t>(all.id[k]), all.along.lane[k]);
       found.x.lane[k] = one.x;
       found.y.lane[k] = one.y;
@@ -112,7 +112,7 @@ lane_vector<seen_lanes::width> shaded_fibres::at(const seen_lanes& all) const {
   }
   const auto look_up = [](std::span<const std::uint32_t> table, integers at) {
     return reinterpret_cast<integers>(
-        gathered<seen_lanes::width>(reinterpret_cast<const float*>(table.data()), at).lane);
+        gathered<fragment_lanes::width>(reinterpret_cast<const float*>(table.data()), at).lane);
   };
   const integers point = look_up(from_.fibres().segment, all.id);
   const integers first = look_up(first_, point);
@@ -125,8 +125,8 @@ lane_vector<seen_lanes::width> shaded_fibres::at(const seen_lanes& all) const {
   const integers member = (first + before) * 3;
   const float* const radiance = &place_.data()->x;
   const auto mixed = [&](int channel) {
-    return gathered<seen_lanes::width>(radiance, member + channel) * before_share +
-           gathered<seen_lanes::width>(radiance, member + (channel + 3)) * after_share;
+    return gathered<fragment_lanes::width>(radiance, member + channel) * before_share +
+           gathered<fragment_lanes::width>(radiance, member + (channel + 3)) * after_share;
   };
   return {mixed(0), mixed(1), mixed(2)};
 }

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "frame/order/seen_lanes.hpp"
+#include "frame/raster/fragment_lanes.hpp"
 #include "frame/raster/raster.hpp"
 #include "frame/shading/scene.hpp"
 
@@ -29,7 +29,7 @@ class shaded_fibres {
   [[nodiscard]] glm::vec3 at(std::uint32_t segment, float along) const;
 
   /// The same for each of a vector's fragments.
-  [[nodiscard]] lane_vector<seen_lanes::width> at(const seen_lanes& all) const;
+  [[nodiscard]] lane_vector<fragment_lanes::width> at(const fragment_lanes& all) const;
 
   /// Evaluations that the constructor made.
   [[nodiscard]] std::size_t evaluations() const { return place_.size(); }

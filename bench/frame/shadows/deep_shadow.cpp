@@ -15,15 +15,14 @@ struct deep_shadow::stored_vertices {
   void write_vertex(std::uint32_t, deep_shadow_vertex) noexcept {}
 };
 
-void deep_shadow::fill(int x, int y, std::span<seen_fragment> all) {
+void deep_shadow::fill(int x, int y, std::span<pixel_fragment> all) {
   std::sort(all.begin(), all.end(),
-            [](const seen_fragment& a, const seen_fragment& b) { return before(fragment_of(a), fragment_of(b)); });
+            [](const pixel_fragment& a, const pixel_fragment& b) { return before(fragment_of(a), fragment_of(b)); });
   static thread_local std::vector<deep_shadow_vertex> scratch;
   scratch.resize(2 * all.size());
   span_vertex_storage storage{scratch};
   deep_shadow_builder line = deep_shadow_builder::begin(0, max_error_);
-  sum_up(index(x, y), all,
-         [&](const seen_fragment& f, std::uint32_t) { line.add(storage, f.where.depth, alpha(f.id, f.where)); });
+  sum_up(index(x, y), all, [&](const pixel_fragment& f, std::uint32_t) { line.add(storage, f.depth, alpha(f)); });
   line.finish(storage);
   if (line.count == 0) return;
   const std::span<deep_shadow_vertex> kept = vertices_.take(line.count);

@@ -19,7 +19,7 @@ class deep_shadow final : public list_shadow {
   deep_shadow(const raster& from, const solids& opaque, bool translucent, float max_error)
       : list_shadow(from, opaque, translucent), max_error_(max_error) {}
 
-  void fill(int x, int y, std::span<seen_fragment> all) override;
+  void fill(int x, int y, std::span<pixel_fragment> all) override;
 
  private:
   struct stored_vertices;

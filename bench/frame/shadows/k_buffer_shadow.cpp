@@ -13,37 +13,36 @@ k_buffer_shadow::k_buffer_shadow(const raster& from, const solids& opaque, bool 
     : shadow_map(from, opaque, translucent), texel_(texels(), texel{{}, 0, 0.0F}) {
 }
 
-void k_buffer_shadow::lose(int x, int y, std::span<const seen_fragment> lost, tail& behind) {
+void k_buffer_shadow::lose(int x, int y, std::span<const pixel_fragment> lost, tail& behind) {
   texel& t = texel_[index(x, y)];
-  lane_numbers<seen_lanes::width> optical{};
-  lane_numbers<seen_lanes::width> coverage{};
-  seen_lanes::pack farthest(t.farthest);
-  for_each_lanes(lost, [&](const seen_lanes& f) {
+  lane_numbers<fragment_lanes::width> optical{};
+  lane_numbers<fragment_lanes::width> coverage{};
+  fragment_lanes::pack farthest(t.farthest);
+  for_each_lanes(lost, [&](const fragment_lanes& f) {
     optical = add_saturating(optical, optical_depth(alpha(f)));
     coverage = add_saturating(coverage, to_fixed(f.coverage));
     farthest = greatest(f.depth, farthest);
   });
   behind.optical = add_saturating(behind.optical, sum_saturating(optical));
   behind.weight = add_saturating(behind.weight, sum_saturating(coverage));
-  for (int k = 0; k < seen_lanes::width; ++k)
+  for (int k = 0; k < fragment_lanes::width; ++k)
     t.farthest = std::max(t.farthest, farthest.lane[k]);
 }
 
-void k_buffer_shadow::lose_lanes(const raster::touches& lost, const std::array<std::uint32_t, raster::width>& tail_of,
+void k_buffer_shadow::lose_lanes(const drawn_fragments& lost, const std::array<std::uint32_t, raster::width>& tail_of,
                                  std::span<tail> behind) {
-  const seen_lanes f{lost.segment, lost.depth, lost.coverage, lost.along};
-  const auto optical = optical_depth(alpha(f));
-  const auto coverage = to_fixed(f.coverage);
-  for_each_touch(lost, [&](std::size_t k, std::uint32_t, int x, int y, const touch& where) {
+  const auto optical = optical_depth(alpha(lost.lanes));
+  const auto coverage = to_fixed(lost.lanes.coverage);
+  for_each_drawn(lost, [&](std::size_t k, int x, int y, const pixel_fragment& f) {
     tail& t = behind[tail_of[k]];
     t.optical = add_saturating(t.optical, optical.lane[k]);
     t.weight = add_saturating(t.weight, coverage.lane[k]);
     float& farthest = texel_[index(x, y)].farthest;
-    farthest = std::max(farthest, where.depth);
+    farthest = std::max(farthest, f.depth);
   });
 }
 
-void k_buffer_shadow::finish(int x, int y, std::span<const seen_fragment> nearest, const tail& behind) {
+void k_buffer_shadow::finish(int x, int y, std::span<const pixel_fragment> nearest, const tail& behind) {
   texel& t = texel_[index(x, y)];
   t.behind = behind.optical;
   std::uint32_t optical = 0;
@@ -51,10 +50,10 @@ void k_buffer_shadow::finish(int x, int y, std::span<const seen_fragment> neares
   const std::span<entry> kept = nearest.empty() ? std::span<entry>() : entries_.take(nearest.size());
   t.nearest = kept;
   auto out = kept.begin();
-  for (const auto& [segment, where] : nearest) {
-    optical = add_saturating(optical, optical_depth(alpha(segment, where)));
-    coverage = add_saturating(coverage, to_fixed(where.coverage));
-    *out++ = entry{where.depth, optical};
+  for (const pixel_fragment& f : nearest) {
+    optical = add_saturating(optical, optical_depth(alpha(f)));
+    coverage = add_saturating(coverage, to_fixed(f.coverage));
+    *out++ = entry{f.depth, optical};
   }
   set_sums(index(x, y), coverage, add_saturating(optical, behind.optical));
 }

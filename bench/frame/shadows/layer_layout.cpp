@@ -21,9 +21,9 @@ layer_layout layers_of_texels(const raster& from, std::span<const float> limit,
                               std::span<const std::uint32_t> drawing_order, order_report& report) {
   const std::size_t width = static_cast<std::size_t>(from.from().width);
   std::vector<depth_range> ranges(width * static_cast<std::size_t>(from.from().height), depth_range::empty());
-  report = run_list_pass(from, limit, drawing_order, [&](int x, int y, std::span<seen_fragment> all) {
-    for (const seen_fragment& f : all)
-      ranges[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)].extend(f.where.depth);
+  report = run_list_pass(from, limit, drawing_order, [&](int x, int y, std::span<pixel_fragment> all) {
+    for (const pixel_fragment& f : all)
+      ranges[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)].extend(f.depth);
   });
   layer_layout layout{{}, 0.0F};
   std::vector<float> extents;

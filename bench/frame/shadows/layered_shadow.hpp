@@ -19,11 +19,10 @@ class layered_shadow final : public list_shadow {
   layered_shadow(const raster& from, const solids& opaque, bool translucent, layer_layout layout)
       : list_shadow(from, opaque, translucent), layout_(std::move(layout)) {}
 
-  void fill(int x, int y, std::span<seen_fragment> all) override {
+  void fill(int x, int y, std::span<pixel_fragment> all) override {
     opacity_map<Layers>& map = map_[index(x, y)];
-    sum_up(index(x, y), all, [&](const seen_fragment& f, std::uint32_t optical) {
-      map.add(position(index(x, y), f.where.depth), optical);
-    });
+    sum_up(index(x, y), all,
+           [&](const pixel_fragment& f, std::uint32_t optical) { map.add(position(index(x, y), f.depth), optical); });
     map.accumulate();
   }
 

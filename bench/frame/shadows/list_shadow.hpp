@@ -17,18 +17,18 @@ class list_shadow : public shadow_map {
   using shadow_map::shadow_map;
 
   /// All fragments of a texel; may sort them. Once a texel.
-  virtual void fill(int x, int y, std::span<seen_fragment> all) = 0;
+  virtual void fill(int x, int y, std::span<pixel_fragment> all) = 0;
 
  protected:
   /// Calls `use(fragment, optical depth)` for each and says what all sum up to.
   template <class Use>
-  void sum_up(std::size_t texel, std::span<const seen_fragment> all, Use&& use) {
+  void sum_up(std::size_t texel, std::span<const pixel_fragment> all, Use&& use) {
     std::uint32_t coverage = 0;
     std::uint32_t optical = 0;
-    for (const seen_fragment& f : all) {
-      const std::uint32_t one = optical_depth(alpha(f.id, f.where));
+    for (const pixel_fragment& f : all) {
+      const std::uint32_t one = optical_depth(alpha(f));
       use(f, one);
-      coverage = add_saturating(coverage, to_fixed(f.where.coverage));
+      coverage = add_saturating(coverage, to_fixed(f.coverage));
       optical = add_saturating(optical, one);
     }
     set_sums(texel, coverage, optical);

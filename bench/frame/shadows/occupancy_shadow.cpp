@@ -4,12 +4,12 @@
 
 namespace pelage::frame {
 
-void occupancy_shadow::fill(int x, int y, std::span<seen_fragment> all) {
+void occupancy_shadow::fill(int x, int y, std::span<pixel_fragment> all) {
   texel& t = texel_[index(x, y)];
-  for (const seen_fragment& f : all)
-    t.range.extend(f.where.depth);
+  for (const pixel_fragment& f : all)
+    t.range.extend(f.depth);
   sum_up(index(x, y), all,
-         [&](const seen_fragment& f, std::uint32_t optical) { t.map.add(t.position(f.where.depth), optical); });
+         [&](const pixel_fragment& f, std::uint32_t optical) { t.map.add(t.position(f.depth), optical); });
 }
 
 float occupancy_shadow::optical_before(std::size_t t, float depth) const {

@@ -16,7 +16,7 @@ class occupancy_shadow final : public list_shadow {
  public:
   using list_shadow::list_shadow;
 
-  void fill(int x, int y, std::span<seen_fragment> all) override;
+  void fill(int x, int y, std::span<pixel_fragment> all) override;
 
  private:
   struct texel {

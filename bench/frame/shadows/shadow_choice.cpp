@@ -34,7 +34,7 @@ struct caster {
   [[nodiscard]] cast_shadow filled(std::unique_ptr<list_shadow> map) const {
     const order_report report =
         run_list_pass(from, map->limit(), order.drawing_order,
-                      [&map](int x, int y, std::span<seen_fragment> all) { map->fill(x, y, all); });
+                      [&map](int x, int y, std::span<pixel_fragment> all) { map->fill(x, y, all); });
     return {std::move(map), report};
   }
 

@@ -101,14 +101,13 @@ std::uint64_t shadow_map::bytes() const {
   return texel_bytes() + (limit_.size() + fibres_per_octave_.size()) * sizeof(float);
 }
 
-float shadow_map::alpha(std::uint32_t segment, const touch& where) const {
-  if (!translucent_) return where.coverage;
-  const float opacity =
-      fibres_.same_opacity ? *fibres_.same_opacity : fibres_.mix(fibres_.opacity, segment, where.along);
-  return opacity * where.coverage;
+float shadow_map::alpha(const pixel_fragment& f) const {
+  if (!translucent_) return f.coverage;
+  const float opacity = fibres_.same_opacity ? *fibres_.same_opacity : fibres_.mix(fibres_.opacity, f.id, f.along);
+  return opacity * f.coverage;
 }
 
-seen_lanes::pack shadow_map::alpha(const seen_lanes& all) const {
+fragment_lanes::pack shadow_map::alpha(const fragment_lanes& all) const {
   return translucent_ ? alpha_of(fibres_, all) : all.coverage;
 }
 

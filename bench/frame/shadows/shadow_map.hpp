@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "frame/base/wide.hpp"
-#include "frame/order/seen_lanes.hpp"
+#include "frame/raster/fragment_lanes.hpp"
 #include "frame/raster/raster.hpp"
 #include "frame/scene/opaque_depth.hpp"
 
@@ -81,8 +81,8 @@ class shadow_map {
   }
 
   /// A fragment's opacity times coverage.
-  [[nodiscard]] float alpha(std::uint32_t segment, const touch& where) const;
-  [[nodiscard]] seen_lanes::pack alpha(const seen_lanes& all) const;
+  [[nodiscard]] float alpha(const pixel_fragment& f) const;
+  [[nodiscard]] fragment_lanes::pack alpha(const fragment_lanes& all) const;
 
   /// Says once what all fragments of a texel sum up to. `coverage`: in units of 2⁻²⁰.
   void set_sums(std::size_t texel, std::uint32_t coverage, std::uint32_t optical);
