@@ -64,7 +64,9 @@ void output_files::add(const fs::path& path) {
     if (fs::weakly_canonical(other.path, error) == whole) fail(path, "two results would have this name");
   }
   fs::path partial = path;
-  partial += "." + std::to_string(getpid()) + ".partial";
+  partial += ".";
+  partial += std::to_string(getpid());
+  partial += ".partial";
   write_bytes(partial, path, {});
   files_.push_back({path, partial});
 }

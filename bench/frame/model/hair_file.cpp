@@ -108,8 +108,10 @@ class byte_writer {
   }
   template <class T>
   void put(std::span<const T> values) {
-    const auto bytes = std::as_bytes(values);
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    if (values.empty()) return;
+    const std::size_t end = bytes_.size();
+    bytes_.resize(end + values.size_bytes());
+    std::memcpy(&bytes_[end], values.data(), values.size_bytes());
   }
   template <class T>
   void put(const std::vector<T>& values) {
