@@ -4,6 +4,7 @@
 
 #include "frame/base/output_file.hpp"
 #include "frame/draws.hpp"
+#include "frame/file_bytes.hpp"
 #include "property.hpp"
 
 #include <bit>
@@ -15,11 +16,12 @@
 using namespace pelage::frame;
 using pelage::test::any_float;
 using pelage::test::any_vec3;
+using pelage::test::bytes;
+using pelage::test::check_truncations_refused;
 using pelage::test::holds;
+using pelage::test::with;
 
 namespace {
-
-using bytes = std::vector<std::byte>;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
@@ -67,13 +69,6 @@ constexpr std::size_t thickness_at = points_at + 4 * 12;
 constexpr std::size_t transparency_at = thickness_at + 4 * 4;
 constexpr std::size_t colour_at = transparency_at + 4 * 4;
 constexpr std::size_t small_size = colour_at + 4 * 12;
-
-template <class T>
-bytes with(bytes file, std::size_t offset, T value) {
-  REQUIRE(offset + sizeof(T) <= file.size());
-  std::memcpy(file.data() + offset, &value, sizeof(T));
-  return file;
-}
 
 hair_model read(bytes file) {
   input_file input("x.hair", std::move(file));
@@ -171,15 +166,7 @@ TEST_CASE("the default segment count stands in for absent segment counts") {
 TEST_CASE("every truncation is refused within the bytes that are left") {
   const bytes file = encode_hair(small_model());
   REQUIRE(file.size() == small_size);
-  for (std::size_t length = 0; length < file.size(); ++length) {
-    CAPTURE(length);
-    try {
-      static_cast<void>(read(bytes(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(length))));
-      FAIL_CHECK("the file was accepted");
-    } catch (const input_error& error) {
-      CHECK(error.offset <= length);
-    }
-  }
+  check_truncations_refused(file, read);
 }
 
 TEST_CASE("bytes after the last array are refused") {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/model/tfx_file.hpp"
 
+#include "frame/file_bytes.hpp"
 #include "frame/model/follow_strands.hpp"
 #include "property.hpp"
 
@@ -11,11 +12,12 @@
 #include <string>
 
 using namespace pelage::frame;
+using pelage::test::bytes;
+using pelage::test::check_truncations_refused;
 using pelage::test::holds;
+using pelage::test::with;
 
 namespace {
-
-using bytes = std::vector<std::byte>;
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
@@ -60,13 +62,6 @@ bytes full_file() {
   append(file, std::uint32_t{0});
   for (std::uint32_t i = 0; i < points; ++i)
     append(file, glm::vec4(0.1F, 0.2F, 0.3F, 0.75F));
-  return file;
-}
-
-template <class T>
-bytes with(bytes file, std::size_t offset, T value) {
-  REQUIRE(offset + sizeof(T) <= file.size());
-  std::memcpy(file.data() + offset, &value, sizeof(T));
   return file;
 }
 
@@ -131,15 +126,7 @@ TEST_CASE("a file of no strands is an empty model") {
 
 TEST_CASE("every truncation is refused within the bytes that are left") {
   const bytes file = full_file();
-  for (std::size_t length = 0; length < file.size(); ++length) {
-    CAPTURE(length);
-    try {
-      static_cast<void>(read(bytes(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(length))));
-      FAIL_CHECK("the file was accepted");
-    } catch (const input_error& error) {
-      CHECK(error.offset <= length);
-    }
-  }
+  check_truncations_refused(file, read);
 }
 
 TEST_CASE("every field that contradicts the file or its range is refused at its offset") {
