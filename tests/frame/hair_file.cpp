@@ -14,12 +14,7 @@
 #include <string>
 
 using namespace pelage::frame;
-using pelage::test::any_float;
-using pelage::test::any_vec3;
-using pelage::test::bytes;
-using pelage::test::check_truncations_refused;
-using pelage::test::holds;
-using pelage::test::with;
+using namespace pelage::test;
 
 namespace {
 
@@ -93,16 +88,7 @@ bool obeys_its_contract(const hair_model& model) {
 }
 
 void check_refused_at(const bytes& file, std::uint64_t offset) {
-  CAPTURE(offset);
-  try {
-    static_cast<void>(read(file));
-    FAIL_CHECK("the file was accepted");
-  } catch (const input_error& error) {
-    CHECK(error.offset == offset);
-    const std::string line = error.what();
-    CHECK(line.starts_with("x.hair: offset " + std::to_string(offset) + ": "));
-    CHECK(line.find('\n') == std::string::npos);
-  }
+  pelage::test::check_refused_at(read, "hair", file, offset);
 }
 
 }  // namespace
@@ -166,7 +152,7 @@ TEST_CASE("the default segment count stands in for absent segment counts") {
 TEST_CASE("every truncation is refused within the bytes that are left") {
   const bytes file = encode_hair(small_model());
   REQUIRE(file.size() == small_size);
-  check_truncations_refused(file, read);
+  check_truncations_refused(read, file);
 }
 
 TEST_CASE("bytes after the last array are refused") {

@@ -12,10 +12,7 @@
 #include <string>
 
 using namespace pelage::frame;
-using pelage::test::bytes;
-using pelage::test::check_truncations_refused;
-using pelage::test::holds;
-using pelage::test::with;
+using namespace pelage::test;
 
 namespace {
 
@@ -71,14 +68,7 @@ hair_model read(bytes file) {
 }
 
 void check_refused_at(const bytes& file, std::uint64_t offset) {
-  CAPTURE(offset);
-  try {
-    static_cast<void>(read(file));
-    FAIL_CHECK("the file was accepted");
-  } catch (const input_error& error) {
-    CHECK(error.offset == offset);
-    CHECK(std::string(error.what()).starts_with("x.tfx: offset " + std::to_string(offset) + ": "));
-  }
+  pelage::test::check_refused_at(read, "tfx", file, offset);
 }
 
 float distance_to_segment(glm::vec3 p, glm::vec3 a, glm::vec3 b) {
@@ -126,7 +116,7 @@ TEST_CASE("a file of no strands is an empty model") {
 
 TEST_CASE("every truncation is refused within the bytes that are left") {
   const bytes file = full_file();
-  check_truncations_refused(file, read);
+  check_truncations_refused(read, file);
 }
 
 TEST_CASE("every field that contradicts the file or its range is refused at its offset") {

@@ -64,7 +64,7 @@ order_report draw_by_peeling(camera_film& film, const raster& from, const order_
         peeling.offer(fragment_of(f));
       const fragment next = peeling.layer();
       if (!is_fragment(next)) break;
-      peeled.push_back({next.id, from.at(next.id, x, y)});
+      peeled.push_back(from.at(next.id, x, y));
       peeling.advance();
     }
     film.finish(x, y, peeled, empty_tail());
