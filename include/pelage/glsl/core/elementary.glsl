@@ -35,8 +35,8 @@ float pelage_greatest(float a, float b);
 /// eˣ - 1 for |x| ≤ 0.35, relative error below 1.5e-7 in float. Outside: garbage in float.
 precise float pelage_small_exponential(float x);
 
-/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN, in a shader NaN or
-/// +inf.
+/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN, in a shader NaN
+/// or +inf.
 precise float pelage_exponential(float x);
 
 /// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is. NaN gives NaN, in a shader NaN or -inf.
