@@ -15,10 +15,10 @@ fi
 
 status=0
 for source in "${sources[@]}"; do
-  if ! head -n 3 "$source" | sed -E '1{/^#!/d}; s,^(//|#) ,,' | head -n 2 | cmp -s - <(
-    echo 'Copyright (c) 2026 The Pelage authors'
-    echo 'SPDX-License-Identifier: MIT'
-  ); then
+  mapfile -t -n 3 lines <"$source"
+  [[ ${lines[0]-} != '#!'* ]] || lines=("${lines[@]:1}")
+  if [[ ${lines[0]-} != @('// '|'# ')'Copyright (c) 2026 The Pelage authors' ||
+    ${lines[1]-} != @('// '|'# ')'SPDX-License-Identifier: MIT' ]]; then
     echo "$source does not begin with the licence" >&2
     status=1
   fi
