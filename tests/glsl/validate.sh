@@ -13,6 +13,19 @@ ulimit -v $((4 << 20))
 mapfile -t files < <(cd "$include" && find pelage/glsl -name '*.glsl' | sort)
 ((${#files[@]})) || { echo "no mirror under $include" >&2; exit 1; }
 
+# Cells by the type that their descriptions in the mirror give; what is no array of words is listed here.
+cells=$(grep -rhoE '^#error .*: define PELAGE_[A-Z0-9_]+(\(i\))?' "$include/pelage/glsl" | grep -oE 'PELAGE_[A-Z0-9_]+(\(i\))?' |
+  sort -u | while read -r cell; do
+  case $cell in
+    *NODES\(i\)) echo "#define $cell fragments[i]" ;;
+    *_VERTICES\(i\)) echo "#define $cell vertices[i]" ;;
+    *_ATOMIC_SLOT_STORAGE_*\(i\)) echo "#define $cell wide[i]" ;;
+    *\(i\)) echo "#define $cell words[i]" ;;
+    *_SIZE) echo "#define $cell 64" ;;
+    *) echo "#define $cell one" ;;
+  esac
+done)
+
 # shader FILE...: a shader that includes them, with everything that any of them asks a shader to define.
 shader() {
   cat <<'END'
@@ -34,18 +47,7 @@ layout(std430, binding = 2) coherent buffer c { uint64_t wide[]; };
 layout(std430, binding = 3) coherent buffer d { uint one; uint other; };
 layout(std430, binding = 4) coherent buffer e { pelage_deep_shadow_vertex vertices[]; };
 END
-  # Cells by the type that their descriptions in the mirror give; what is no array of words is listed here.
-  grep -rhoE '^#error .*: define PELAGE_[A-Z0-9_]+(\(i\))?' "$include/pelage/glsl" | grep -oE 'PELAGE_[A-Z0-9_]+(\(i\))?' |
-    sort -u | while read -r cell; do
-    case $cell in
-      *NODES\(i\)) echo "#define $cell fragments[i]" ;;
-      *_VERTICES\(i\)) echo "#define $cell vertices[i]" ;;
-      *_ATOMIC_SLOT_STORAGE_*\(i\)) echo "#define $cell wide[i]" ;;
-      *\(i\)) echo "#define $cell words[i]" ;;
-      *_SIZE) echo "#define $cell 64" ;;
-      *) echo "#define $cell one" ;;
-    esac
-  done
+  echo "$cells"
   printf '#include "%s"\n' "$@"
   echo 'void main() {}'
 }
