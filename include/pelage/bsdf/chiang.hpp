@@ -86,6 +86,8 @@ template <real_number Real>
 [[nodiscard]] inline Real chiang_density(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                          const fibre_direction<Real>& light) noexcept;
 
+// ---------------------------------------------------------------------------------------------------------
+
 /// What the steps of the model hand on. Each is a function of its own so that a CPU may run it on packs: over lobes or
 /// channels (chiang_quad.hpp) as over fibres (chiang_batch.hpp).
 template <real_number Real>
@@ -99,26 +101,57 @@ struct chiang_section {
 /// Refraction in the fibre's section at an offset h.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o,
-                                                                                   Real cos_o) noexcept;
+                                                                                   Real cos_o) noexcept {
+  // sin γ_t = h/η′ with η′ = √(η² - sin²θ_o)/cos θ_o.
+  const Real across = greatest(Real(-1), least(Real(1), h));
+  const Real cos_gamma_o = square_root((Real(1) - across) * (Real(1) + across));
+  const Real over_bent = Real(1) / square_root(greatest((eta - sin_o) * (eta + sin_o), Real(1e-36)));
+  const Real sin_gamma_t = across * least(cos_o * over_bent, Real(1));
+  const Real cos_gamma_t = square_root((Real(1) - sin_gamma_t) * (Real(1) + sin_gamma_t));
+  // One crossing is 2 cos γ_t/cos θ_t long, and cos θ_t = √(η² - sin²θ_o)/η.
+  return chiang_section<Real>{
+      dielectric_interface(cos_o * cos_gamma_o, eta), Real(2) * cos_gamma_t * eta * over_bent,
+      rotation<Real>{Real(1) - Real(2) * across * across, Real(2) * across * cos_gamma_o},
+      rotation<Real>{Real(2) * sin_gamma_t * sin_gamma_t - Real(1), Real(-2) * sin_gamma_t * cos_gamma_t}};
+}
 
 /// A_0 to A_3 for one σ_a. [Chiang 2016 Eq. 6; d'Eon 2011 §3.2]
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline std::array<Real, 4> chiang_attenuation(const chiang_section<Real>& section,
-                                                                                Real sigma_a) noexcept;
+                                                                                Real sigma_a) noexcept {
+  const interface_shares<Real>& surface = section.surface;
+  const Real depth = sigma_a * section.radii;
+  const Real kept = exponential(Real(0) - depth);
+  const Real turned_back = surface.reflected * kept;
+  const Real passed = surface.transmitted * surface.transmitted * kept;
+  // 1 - TF without cancellation; where it is 0 so is what it divides.
+  const Real rest = surface.transmitted + surface.reflected * one_minus_exponential(depth);
+  const Real returned = passed * turned_back;
+  const Real residual = returned * turned_back / select(rest > Real(0), rest, Real(1));
+  return std::array<Real, 4>{surface.reflected, passed, returned, residual};
+}
 
 /// M of one lobe: `sum` holds cos and sin of θ_i + θ_o before the lobe's tilt.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real chiang_along(const longitudinal_lobe<Real>& lobe,
                                                            const rotation<Real>& sum, const rotation<Real>& tilt,
                                                            const rotation<Real>& tilted, Real flipped, Real sin_i,
-                                                           Real cos_i) noexcept;
+                                                           Real cos_i) noexcept {
+  // The tilt turns the sum of the inclinations, but where the tilted cosine has lost its sign.
+  const Real product = cos_i * tilted.cosine;
+  const rotation<Real> turned = turned_by(sum, tilt);
+  const rotation<Real> between = {select(flipped > Real(0), product - sin_i * tilted.sine, turned.cosine),
+                                  select(flipped > Real(0), sin_i * tilted.cosine + cos_i * tilted.sine, turned.sine)};
+  return evaluate_longitudinal(lobe, inclination_pair<Real>{versine(between), product});
+}
 
 /// N of one lobe round its middle.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real chiang_round(const azimuthal_lobe<Real>& lobe,
-                                                           const rotation<Real>& middle, Real y, Real z) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
+                                                           const rotation<Real>& middle, Real y, Real z) noexcept {
+  return evaluate_azimuthal(lobe,
+                            unsigned_angle(middle.cosine * z - middle.sine * y, middle.cosine * y + middle.sine * z));
+}
 
 template <real_number Real>
 chiang_fibre<Real> make_chiang_fibre(const chiang_parameters<Real>& parameters) noexcept {
@@ -210,52 +243,6 @@ Real chiang_density(const chiang_fibre<Real>& fibre, const chiang_view<Real>& vi
   const std::array<Real, 4> lobes = chiang_lobes(fibre, view, light);
   return ((lobes[0] * view.weights[0] + lobes[1] * view.weights[1]) + lobes[2] * view.weights[2]) +
          lobes[3] * view.weights[3];
-}
-
-template <real_number Real>
-chiang_section<Real> cross_chiang_section(Real eta, Real h, Real sin_o, Real cos_o) noexcept {
-  // sin γ_t = h/η′ with η′ = √(η² - sin²θ_o)/cos θ_o.
-  const Real across = greatest(Real(-1), least(Real(1), h));
-  const Real cos_gamma_o = square_root((Real(1) - across) * (Real(1) + across));
-  const Real over_bent = Real(1) / square_root(greatest((eta - sin_o) * (eta + sin_o), Real(1e-36)));
-  const Real sin_gamma_t = across * least(cos_o * over_bent, Real(1));
-  const Real cos_gamma_t = square_root((Real(1) - sin_gamma_t) * (Real(1) + sin_gamma_t));
-  // One crossing is 2 cos γ_t/cos θ_t long, and cos θ_t = √(η² - sin²θ_o)/η.
-  return chiang_section<Real>{
-      dielectric_interface(cos_o * cos_gamma_o, eta), Real(2) * cos_gamma_t * eta * over_bent,
-      rotation<Real>{Real(1) - Real(2) * across * across, Real(2) * across * cos_gamma_o},
-      rotation<Real>{Real(2) * sin_gamma_t * sin_gamma_t - Real(1), Real(-2) * sin_gamma_t * cos_gamma_t}};
-}
-
-template <real_number Real>
-std::array<Real, 4> chiang_attenuation(const chiang_section<Real>& section, Real sigma_a) noexcept {
-  const interface_shares<Real>& surface = section.surface;
-  const Real depth = sigma_a * section.radii;
-  const Real kept = exponential(Real(0) - depth);
-  const Real turned_back = surface.reflected * kept;
-  const Real passed = surface.transmitted * surface.transmitted * kept;
-  // 1 - TF without cancellation; where it is 0 so is what it divides.
-  const Real rest = surface.transmitted + surface.reflected * one_minus_exponential(depth);
-  const Real returned = passed * turned_back;
-  const Real residual = returned * turned_back / select(rest > Real(0), rest, Real(1));
-  return std::array<Real, 4>{surface.reflected, passed, returned, residual};
-}
-
-template <real_number Real>
-Real chiang_along(const longitudinal_lobe<Real>& lobe, const rotation<Real>& sum, const rotation<Real>& tilt,
-                  const rotation<Real>& tilted, Real flipped, Real sin_i, Real cos_i) noexcept {
-  // The tilt turns the sum of the inclinations, but where the tilted cosine has lost its sign.
-  const Real product = cos_i * tilted.cosine;
-  const rotation<Real> turned = turned_by(sum, tilt);
-  const rotation<Real> between = {select(flipped > Real(0), product - sin_i * tilted.sine, turned.cosine),
-                                  select(flipped > Real(0), sin_i * tilted.cosine + cos_i * tilted.sine, turned.sine)};
-  return evaluate_longitudinal(lobe, inclination_pair<Real>{versine(between), product});
-}
-
-template <real_number Real>
-Real chiang_round(const azimuthal_lobe<Real>& lobe, const rotation<Real>& middle, Real y, Real z) noexcept {
-  return evaluate_azimuthal(lobe,
-                            unsigned_angle(middle.cosine * z - middle.sine * y, middle.cosine * y + middle.sine * z));
 }
 
 }  // namespace pelage

@@ -52,11 +52,6 @@ struct chiang_quad_view {
                                                                             const chiang_quad_view& view,
                                                                             const std::array<float, 4>& u) noexcept;
 
-/// M_p N_p of the four lobes.
-[[nodiscard, gnu::always_inline]] inline lanes<4> chiang_lobes(const chiang_quad_fibre& fibre,
-                                                               const chiang_quad_view& view,
-                                                               const fibre_direction<float>& light) noexcept;
-
 // ---------------------------------------------------------------------------------------------------------
 
 /// Four floats as lanes.
@@ -68,6 +63,21 @@ struct chiang_quad_view {
 template <int Lane>
 [[nodiscard]] lanes<4> spread_lane(lanes<4> x) noexcept {
   return lanes<4>(__builtin_shufflevector(x.lane, x.lane, Lane, Lane, Lane, Lane));
+}
+
+/// M_p N_p of the four lobes.
+[[nodiscard, gnu::always_inline]] inline lanes<4> chiang_lobes(const chiang_quad_fibre& fibre,
+                                                               const chiang_quad_view& view,
+                                                               const fibre_direction<float>& light) noexcept {
+  using pack = lanes<4>;
+  const fibre_direction<float>& eye = view.eye;
+  const rotation<pack> sum = {pack(light.cosine * eye.cosine - light.sine * eye.sine),
+                              sine_of_sum(pack(light.sine), pack(light.cosine), pack(eye.sine), pack(eye.cosine))};
+  const pack along = chiang_along(fibre.longitudinal, sum, fibre.tilts, view.tilted, view.flipped, pack(light.sine),
+                                  pack(light.cosine));
+  const pack round = chiang_round(fibre.azimuthal, view.towards, pack(light.y), pack(light.z));
+  const pack last = four_lanes(0.0f, 0.0f, 0.0f, 1.0f);
+  return along * select(last > pack(0), pack(0.159154943091895336), round);
 }
 
 inline chiang_quad_fibre make_chiang_quad_fibre(const chiang_fibre<float>& fibre) noexcept {
@@ -122,19 +132,6 @@ inline chiang_quad_view view_chiang(const chiang_quad_fibre& fibre, float h,
   const float total = (sums.lane[0] + sums.lane[1]) + (sums.lane[2] + sums.lane[3]);
   view.weights = sums * pack(1.0f / (total > 0.0f ? total : 1.0f));
   return view;
-}
-
-inline lanes<4> chiang_lobes(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
-                             const fibre_direction<float>& light) noexcept {
-  using pack = lanes<4>;
-  const fibre_direction<float>& eye = view.eye;
-  const rotation<pack> sum = {pack(light.cosine * eye.cosine - light.sine * eye.sine),
-                              sine_of_sum(pack(light.sine), pack(light.cosine), pack(eye.sine), pack(eye.cosine))};
-  const pack along = chiang_along(fibre.longitudinal, sum, fibre.tilts, view.tilted, view.flipped, pack(light.sine),
-                                  pack(light.cosine));
-  const pack round = chiang_round(fibre.azimuthal, view.towards, pack(light.y), pack(light.z));
-  const pack last = four_lanes(0.0f, 0.0f, 0.0f, 1.0f);
-  return along * select(last > pack(0), pack(0.159154943091895336), round);
 }
 
 inline chiang_result<float> evaluate_chiang(const chiang_quad_fibre& fibre, const chiang_quad_view& view,

@@ -40,9 +40,17 @@ template <std::floating_point Real>
 [[nodiscard]] chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                                 const std::array<Real, 4>& u) noexcept;
 
+// ---------------------------------------------------------------------------------------------------------
+
 /// The lobe that a number in [0, 1) picks by its weight. A residual lobe of weight 0 is not picked.
 template <std::floating_point Real>
-[[nodiscard]] inline std::uint32_t pick_chiang_lobe(const std::array<Real, 4>& weights, Real u) noexcept;
+[[nodiscard]] inline std::uint32_t pick_chiang_lobe(const std::array<Real, 4>& weights, Real u) noexcept {
+  const Real first = weights[0];
+  const Real second = first + weights[1];
+  const Real third = second + weights[2];
+  const bool residual = u >= third && weights[3] > Real(0);
+  return residual ? 3u : (u < first ? 0u : (u < second ? 1u : 2u));
+}
 
 /// Draws a direction from one lobe: its M round the eye's tilted inclination, its N round the middle, or for the
 /// `residual` lobe any azimuth. Takes the last three of the four numbers.
@@ -50,9 +58,13 @@ template <std::floating_point Real>
 [[nodiscard]] inline glm::vec<3, Real> draw_chiang_direction(const longitudinal_lobe<Real>& along,
                                                              const azimuthal_lobe<Real>& around,
                                                              const rotation<Real>& tilted, const rotation<Real>& middle,
-                                                             bool residual, const std::array<Real, 4>& u) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
+                                                             bool residual, const std::array<Real, 4>& u) noexcept {
+  const Real from_middle = residual ? Real(6.283185307179586477) * u[3] : sample_azimuthal(around, u[3]);
+  const rotation<Real> inclination = sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
+  const rotation<Real> azimuth = turned_by(middle, rotation_by(from_middle));
+  const Real across = inclination.cosine / square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
+  return glm::vec<3, Real>(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
+}
 
 template <std::floating_point Real>
 chiang_bsdf<Real> evaluate_chiang_bsdf(const chiang_fibre<Real>& fibre, Real h, const glm::vec<3, Real>& w_o,
@@ -83,26 +95,6 @@ chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_
   drawn.direction = draw_chiang_direction(along, fibre.azimuthal, tilted, middle, drawn.lobe == 3u, u);
   drawn.result = evaluate_chiang(fibre, view, direction_by_fibre(drawn.direction));
   return drawn;
-}
-
-template <std::floating_point Real>
-std::uint32_t pick_chiang_lobe(const std::array<Real, 4>& weights, Real u) noexcept {
-  const Real first = weights[0];
-  const Real second = first + weights[1];
-  const Real third = second + weights[2];
-  const bool residual = u >= third && weights[3] > Real(0);
-  return residual ? 3u : (u < first ? 0u : (u < second ? 1u : 2u));
-}
-
-template <std::floating_point Real>
-glm::vec<3, Real> draw_chiang_direction(const longitudinal_lobe<Real>& along, const azimuthal_lobe<Real>& around,
-                                        const rotation<Real>& tilted, const rotation<Real>& middle, bool residual,
-                                        const std::array<Real, 4>& u) noexcept {
-  const Real from_middle = residual ? Real(6.283185307179586477) * u[3] : sample_azimuthal(around, u[3]);
-  const rotation<Real> inclination = sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
-  const rotation<Real> azimuth = turned_by(middle, rotation_by(from_middle));
-  const Real across = inclination.cosine / square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
-  return glm::vec<3, Real>(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
 }
 
 }  // namespace pelage

@@ -66,7 +66,9 @@ template <std::floating_point Real>
 
 /// Before any fibre: all light is direct.
 template <std::floating_point Real>
-[[nodiscard]] dual_global<Real> dual_unshadowed() noexcept;
+[[nodiscard]] dual_global<Real> dual_unshadowed() noexcept {
+  return dual_global<Real>{Real(1), glm::vec<3, Real>(Real(0)), glm::vec<3, Real>(Real(0))};
+}
 
 /// Global multiple scattering, the real-time form: what `count` fibres leave of the light, all taken to be alike.
 /// [Zinke 2008 §4.1, Eqs. 4 to 8]
@@ -95,12 +97,17 @@ template <std::floating_point Real>
                                                 const glm::vec<3, Real>& single, Real theta_i, Real theta_r,
                                                 Real phi) noexcept;
 
+// ---------------------------------------------------------------------------------------------------------
+
 /// The share per steradian of a lobe: a Gaussian in θ_h and linear in |φ|, forward (largest at ±π) or backward (at 0);
 /// integrates to 1 over the sphere except for what a wide Gaussian leaves beyond ±π/2.
 template <std::floating_point Real>
-[[nodiscard]] Real dual_lobe(Real theta_h, Real variance, Real cos_theta_r, Real share_of_azimuth) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
+[[nodiscard]] Real dual_lobe(Real theta_h, Real variance, Real cos_theta_r, Real share_of_azimuth) noexcept {
+  const Real v = greatest(variance, Real(1e-8));
+  // ½ since θ_r is twice θ_h; 1/π for the half circle.
+  const Real gauss = exponential(Real(-0.5) * theta_h * theta_h / v) * Real(0.398942280401432678) / square_root(v);
+  return Real(0.159154943091895336) * gauss * share_of_azimuth / greatest(cos_theta_r, Real(1e-4));
+}
 
 template <std::floating_point Real>
 dual_local<Real> dual_local_scattering(const dual_averages<Real>& averages,
@@ -129,11 +136,6 @@ dual_local<Real> dual_local_scattering(const dual_averages<Real>& averages,
 }
 
 template <std::floating_point Real>
-dual_global<Real> dual_unshadowed() noexcept {
-  return dual_global<Real>{Real(1), glm::vec<3, Real>(Real(0)), glm::vec<3, Real>(Real(0))};
-}
-
-template <std::floating_point Real>
 dual_global<Real> dual_global_scattering(const dual_averages<Real>& averages, const dual_density<Real>& density,
                                          Real count, Real direct) noexcept {
   dual_global<Real> global;
@@ -155,14 +157,6 @@ dual_global<Real> dual_pass_fibre(const dual_global<Real>& before, const dual_av
   after.transmitted = (before.transmitted + density.forward * before.direct) * averages.forward;
   after.variance = before.variance + averages.forward_variance;
   return after;
-}
-
-template <std::floating_point Real>
-Real dual_lobe(Real theta_h, Real variance, Real cos_theta_r, Real share_of_azimuth) noexcept {
-  const Real v = greatest(variance, Real(1e-8));
-  // ½ since θ_r is twice θ_h; 1/π for the half circle.
-  const Real gauss = exponential(Real(-0.5) * theta_h * theta_h / v) * Real(0.398942280401432678) / square_root(v);
-  return Real(0.159154943091895336) * gauss * share_of_azimuth / greatest(cos_theta_r, Real(1e-4));
 }
 
 template <std::floating_point Real>

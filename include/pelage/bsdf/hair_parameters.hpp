@@ -27,13 +27,24 @@ template <std::floating_point Real>
 /// σ_a for red, green, blue per fibre radius, linear in both concentrations. [d'Eon 2011 §6.1; constants of Chiang
 /// 2016]
 template <real_number Real>
-[[nodiscard]] std::array<Real, 3> absorption_of(melanin<Real> pigment) noexcept;
+[[nodiscard]] std::array<Real, 3> absorption_of(melanin<Real> pigment) noexcept {
+  return std::array<Real, 3>{Real(0.419) * pigment.eumelanin + Real(0.187) * pigment.pheomelanin,
+                             Real(0.697) * pigment.eumelanin + Real(0.4) * pigment.pheomelanin,
+                             Real(1.37) * pigment.eumelanin + Real(1.05) * pigment.pheomelanin};
+}
 
 /// The pigment from an artist's controls. `amount` in [0, 1] is how much light it takes, evenly to the eye: 0 clear,
 /// 0.8 dark brown, 1 the black of concentration 40 (the concentration is -ln(max(1 - amount, e⁻⁴⁰))). `redness`
 /// in [0, 1] is the share of pheomelanin.
 template <std::floating_point Real>
 [[nodiscard]] melanin<Real> melanin_from_controls(Real amount, Real redness) noexcept;
+
+/// The fit's exponent: √σ_a = -ln(colour) / fit.
+template <std::floating_point Real>
+[[nodiscard]] Real albedo_fit(Real beta_n) noexcept {
+  const Real b = saturate(beta_n);
+  return ((((Real(0.245) * b + Real(5.574)) * b - Real(10.73)) * b + Real(2.532)) * b - Real(0.215)) * b + Real(5.969);
+}
 
 /// σ_a of the fibre whose *mass* of hair has the albedo `colour`, [1e-4, 1], held there, by the fit to multiple
 /// scattering in a head of hair of azimuthal roughness β_n in [0, 1]. One fibre alone is brighter. [Chiang 2016 §4.2]
@@ -42,7 +53,9 @@ template <std::floating_point Real>
 
 /// The albedo of a mass of such fibres: the inverse of absorption_from_albedo.
 template <std::floating_point Real>
-[[nodiscard]] Real albedo_from_absorption(Real sigma_a, Real beta_n) noexcept;
+[[nodiscard]] Real albedo_from_absorption(Real sigma_a, Real beta_n) noexcept {
+  return exponential(Real(0) - safe_sqrt(sigma_a) * albedo_fit(beta_n));
+}
 
 /// The variance of M for a longitudinal roughness β_m that looks even to the eye, [0, 1]: [Chiang 2016 §4.1]
 /// (0.726 β + 0.812 β² + 3.7 β²⁰)². The R lobe's; TT has a quarter of it, TRT and the residual four times.
@@ -76,13 +89,6 @@ melanin<Real> melanin_of(hair_colour colour) noexcept {
   return melanin<Real>{Real(8), Real(0)};
 }
 
-template <real_number Real>
-std::array<Real, 3> absorption_of(melanin<Real> pigment) noexcept {
-  return std::array<Real, 3>{Real(0.419) * pigment.eumelanin + Real(0.187) * pigment.pheomelanin,
-                             Real(0.697) * pigment.eumelanin + Real(0.4) * pigment.pheomelanin,
-                             Real(1.37) * pigment.eumelanin + Real(1.05) * pigment.pheomelanin};
-}
-
 template <std::floating_point Real>
 melanin<Real> melanin_from_controls(Real amount, Real redness) noexcept {
   const Real left = greatest(Real(1) - saturate(amount), Real(4.248354255e-18));
@@ -90,22 +96,10 @@ melanin<Real> melanin_from_controls(Real amount, Real redness) noexcept {
   return melanin<Real>{concentration * (Real(1) - saturate(redness)), concentration * saturate(redness)};
 }
 
-/// The fit's exponent: √σ_a = -ln(colour) / fit.
-template <std::floating_point Real>
-[[nodiscard]] Real albedo_fit(Real beta_n) noexcept {
-  const Real b = saturate(beta_n);
-  return ((((Real(0.245) * b + Real(5.574)) * b - Real(10.73)) * b + Real(2.532)) * b - Real(0.215)) * b + Real(5.969);
-}
-
 template <std::floating_point Real>
 Real absorption_from_albedo(Real colour, Real beta_n) noexcept {
   const Real held = least(greatest(colour, Real(1e-4)), Real(1));
   return sqr(natural_logarithm(held) / albedo_fit(beta_n));
-}
-
-template <std::floating_point Real>
-Real albedo_from_absorption(Real sigma_a, Real beta_n) noexcept {
-  return exponential(Real(0) - safe_sqrt(sigma_a) * albedo_fit(beta_n));
 }
 
 template <real_number Real>

@@ -28,7 +28,9 @@ struct highlight_shape {
 /// The diffuse reflectance of a fibre whose albedo is `kd`: kd/π², to be multiplied by sin(t, l) as the lobe of
 /// kajiya_kay() is. A fibre shows its width to the eye as sin(t, e), and ∫ sin(t, e) dω over the sphere is π², so that
 /// it sends out kd of the light that meets it, where the bare kd of Kajiya & Kay 1989, Eq. 14 sends π² times as much.
-[[nodiscard]] constexpr float normalised_fibre_diffuse(float kd) noexcept;
+[[nodiscard]] constexpr float normalised_fibre_diffuse(float kd) noexcept {
+  return kd * 0.101321184f;
+}
 
 /// Both highlights: cosᵖ(θ_i + θ_r - shift) with the inclinations of light and eye, 0 beyond 90°. The shifts are those
 /// of R and TRT in Marschner 2003, Table 1 and the widths those of two powers, after Scheuermann 2004; Kajiya & Kay's
@@ -43,10 +45,6 @@ struct highlight_shape {
 [[nodiscard]] inline glm::vec3 shifted_tangent(const glm::vec3& tangent, const glm::vec3& normal, float shift) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
-
-constexpr float normalised_fibre_diffuse(float kd) noexcept {
-  return kd * 0.101321184f;
-}
 
 /// cosᵖ of the sum of two inclinations less the shift.
 [[nodiscard]] inline float shifted_lobe(const rotation<float>& sum, const highlight_shape& shape) noexcept {

@@ -53,14 +53,6 @@ template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe,
                                                                     inclination_pair<Real> pair) noexcept;
 
-/// The sine of the sum of two inclinations, which keeps its digits where they nearly cancel: precise for exact sines.
-template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline Real sine_of_sum(Real sin_a, Real cos_a, Real sin_b, Real cos_b) noexcept;
-
-/// 1 - cos x of an angle given by both, precise where x is small.
-template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline Real versine(rotation<Real> x) noexcept;
-
 /// M of two inclinations given by sine and cosine.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin_i,
@@ -73,6 +65,25 @@ template <std::floating_point Real>
                                                         Real u, Real turn) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
+
+/// The sine of the sum of two inclinations, which keeps its digits where they nearly cancel: precise for exact sines.
+template <real_number Real>
+[[nodiscard, gnu::always_inline]] inline Real sine_of_sum(Real sin_a, Real cos_a, Real sin_b, Real cos_b) noexcept {
+  // sin(a + b) sin(a - b) = sin²a - sin²b: where the terms of the sum cancel, those of sin(a - b) do not.
+  const Real first = sin_a * cos_b;
+  const Real second = cos_a * sin_b;
+  const Real cancels = select(first * second < Real(0), Real(1), Real(0));
+  const Real difference = select(cancels > Real(0), first - second, Real(1));
+  const Real quotient = (sin_a - sin_b) * (sin_a + sin_b) / difference;
+  return select(cancels > Real(0), quotient, first + second);
+}
+
+/// 1 - cos x of an angle given by both, precise where x is small.
+template <real_number Real>
+[[nodiscard, gnu::always_inline]] inline Real versine(rotation<Real> x) noexcept {
+  const Real acute = greatest(x.cosine, Real(0));
+  return select(x.cosine > Real(0), x.sine * x.sine / (Real(1) + acute), Real(1) - x.cosine);
+}
 
 template <real_number Real>
 fibre_direction<Real> direction_by_fibre(Real x, Real y, Real z) noexcept {
@@ -97,23 +108,6 @@ Real evaluate_longitudinal(const longitudinal_lobe<Real>& lobe, inclination_pair
   const Real argument = pair.cosine_product * lobe.concentration;
   const bessel_i0_parts<Real> i0 = bessel_i0(argument);
   return exponential((i0.growth - argument) - pair.gap * lobe.concentration) * i0.value * lobe.height;
-}
-
-template <real_number Real>
-Real sine_of_sum(Real sin_a, Real cos_a, Real sin_b, Real cos_b) noexcept {
-  // sin(a + b) sin(a - b) = sin²a - sin²b: where the terms of the sum cancel, those of sin(a - b) do not.
-  const Real first = sin_a * cos_b;
-  const Real second = cos_a * sin_b;
-  const Real cancels = select(first * second < Real(0), Real(1), Real(0));
-  const Real difference = select(cancels > Real(0), first - second, Real(1));
-  const Real quotient = (sin_a - sin_b) * (sin_a + sin_b) / difference;
-  return select(cancels > Real(0), quotient, first + second);
-}
-
-template <real_number Real>
-Real versine(rotation<Real> x) noexcept {
-  const Real acute = greatest(x.cosine, Real(0));
-  return select(x.cosine > Real(0), x.sine * x.sine / (Real(1) + acute), Real(1) - x.cosine);
 }
 
 template <real_number Real>

@@ -47,7 +47,10 @@ struct marschner_result {
 
 /// The values that the paper takes for hair: η 1.55, α -0.12 (7°), β 0.13 (7.5°), round, caustic 0.26, 0.5, 1, 0.3.
 template <std::floating_point Real>
-[[nodiscard]] marschner_parameters<Real> common_marschner_parameters(const std::array<Real, 3>& sigma_a) noexcept;
+[[nodiscard]] marschner_parameters<Real> common_marschner_parameters(const std::array<Real, 3>& sigma_a) noexcept {
+  return marschner_parameters<Real>{Real(1.55), sigma_a, Real(-0.12),
+                                    Real(0.13), Real(1), {true, Real(0.26), Real(0.5), Real(1), Real(0.3)}};
+}
 
 /// What the azimuthal part needs of θ_d: Bravais indices and the length of inner paths.
 template <std::floating_point Real>
@@ -62,32 +65,6 @@ struct fibre_section {
 template <std::floating_point Real>
 [[nodiscard]] fibre_section<Real> make_fibre_section(Real eta, Real theta_d) noexcept;
 
-/// A(p, h): what is left of light on path p, for one channel: F, or (1 - F)² F^(p-1) Tᵖ. [Marschner 2003 Eq. 8]
-template <std::floating_point Real>
-[[nodiscard]] Real path_attenuation(const fibre_section<Real>& section, int path, Real sin_gamma, Real cos_gamma,
-                                    Real sigma_a) noexcept;
-
-/// N_p(θ_d, φ) per radian and channel by summing A/|2 dφ/dh| over the path's roots, no caustic treatment; 0 without
-/// roots. ∫ N_p dφ is ½ ∫ A(p, h) dh.
-template <std::floating_point Real>
-[[nodiscard]] std::array<Real, 3> bare_azimuthal(const fibre_section<Real>& section, int path, Real phi,
-                                                 const std::array<Real, 3>& sigma_a) noexcept;
-
-/// N_TRT with its caustic faded out and a Gaussian of the same energy put in. [Marschner 2003 App. B]
-template <std::floating_point Real>
-[[nodiscard]] std::array<Real, 3> smooth_trt(const fibre_section<Real>& section, Real phi,
-                                             const std::array<Real, 3>& sigma_a,
-                                             const caustic_treatment<Real>& caustic) noexcept;
-
-/// The index that makes a round fibre refract like an elliptic one lit at the azimuth φ_h from its long axis.
-/// `ratio` a: of the axes, (0, inf), 1 gives eta. [Marschner 2003 §5.2.3]
-template <std::floating_point Real>
-[[nodiscard]] Real eccentric_index(Real eta, Real ratio, Real phi_h) noexcept;
-
-/// A Gaussian of unit integral.
-template <std::floating_point Real>
-[[nodiscard]] Real gaussian(Real x, Real deviation) noexcept;
-
 /// The whole model. `theta_i`, `theta_r` in [-π/2, π/2], `phi` any, `phi_h` = (φ_i + φ_r)/2 from the section's long
 /// axis, of no effect on a round fibre. Float within 2e-5 of double where values exceed 1e-6 and |dφ/dh| ≥ 0.2.
 template <std::floating_point Real>
@@ -96,26 +73,10 @@ template <std::floating_point Real>
 
 // ---------------------------------------------------------------------------------------------------------
 
+/// A(p, h): what is left of light on path p, for one channel: F, or (1 - F)² F^(p-1) Tᵖ. [Marschner 2003 Eq. 8]
 template <std::floating_point Real>
-marschner_parameters<Real> common_marschner_parameters(const std::array<Real, 3>& sigma_a) noexcept {
-  return marschner_parameters<Real>{Real(1.55), sigma_a, Real(-0.12),
-                                    Real(0.13), Real(1), {true, Real(0.26), Real(0.5), Real(1), Real(0.3)}};
-}
-
-template <std::floating_point Real>
-fibre_section<Real> make_fibre_section(Real eta, Real theta_d) noexcept {
-  const rotation<Real> angle = rotation_by(theta_d);
-  const Real cosine = greatest(angle.cosine, Real(1e-6));
-  // η′² = 1 + (η² - 1)/cos²θ_d: a sum of positive terms.
-  const Real excess = (eta - Real(1)) * (eta + Real(1)) / (cosine * cosine);
-  const Real eta_perpendicular = square_root(Real(1) + excess);
-  return fibre_section<Real>{eta_perpendicular, eta * eta / eta_perpendicular, excess,
-                             eta / (eta_perpendicular * cosine)};
-}
-
-template <std::floating_point Real>
-Real path_attenuation(const fibre_section<Real>& section, int path, Real sin_gamma, Real cos_gamma,
-                      Real sigma_a) noexcept {
+[[nodiscard]] Real path_attenuation(const fibre_section<Real>& section, int path, Real sin_gamma, Real cos_gamma,
+                                    Real sigma_a) noexcept {
   const Real sin_inside = sin_gamma / section.eta_perpendicular;
   const Real cos_inside = square_root((Real(1) - sin_inside) * (Real(1) + sin_inside));
   const interface_shares<Real> surface =
@@ -126,9 +87,11 @@ Real path_attenuation(const fibre_section<Real>& section, int path, Real sin_gam
   return path == 0 ? surface.reflected : passed * inner;
 }
 
+/// N_p(θ_d, φ) per radian and channel by summing A/|2 dφ/dh| over the path's roots, no caustic treatment; 0 without
+/// roots. ∫ N_p dφ is ½ ∫ A(p, h) dh.
 template <std::floating_point Real>
-std::array<Real, 3> bare_azimuthal(const fibre_section<Real>& section, int path, Real phi,
-                                   const std::array<Real, 3>& sigma_a) noexcept {
+[[nodiscard]] std::array<Real, 3> bare_azimuthal(const fibre_section<Real>& section, int path, Real phi,
+                                                 const std::array<Real, 3>& sigma_a) noexcept {
   const scattering_roots<Real> roots = find_scattering_roots(path, phi, section.excess);
   std::array<Real, 3> sum = {Real(0), Real(0), Real(0)};
   for (std::uint32_t k = 0u; k < 3u; ++k) {
@@ -143,15 +106,18 @@ std::array<Real, 3> bare_azimuthal(const fibre_section<Real>& section, int path,
   return sum;
 }
 
+/// A Gaussian of unit integral.
 template <std::floating_point Real>
-Real gaussian(Real x, Real deviation) noexcept {
+[[nodiscard]] Real gaussian(Real x, Real deviation) noexcept {
   const Real z = x / deviation;
   return exponential(Real(-0.5) * z * z) * (Real(0.398942280401432678) / deviation);
 }
 
+/// N_TRT with its caustic faded out and a Gaussian of the same energy put in. [Marschner 2003 App. B]
 template <std::floating_point Real>
-std::array<Real, 3> smooth_trt(const fibre_section<Real>& section, Real phi, const std::array<Real, 3>& sigma_a,
-                               const caustic_treatment<Real>& caustic) noexcept {
+[[nodiscard]] std::array<Real, 3> smooth_trt(const fibre_section<Real>& section, Real phi,
+                                             const std::array<Real, 3>& sigma_a,
+                                             const caustic_treatment<Real>& caustic) noexcept {
   const Real eta = section.eta_perpendicular;
   const caustic_point<Real> point = find_caustic(section.excess);
   const Real phi_c = Real(2) * point.half_azimuth;
@@ -174,11 +140,35 @@ std::array<Real, 3> smooth_trt(const fibre_section<Real>& section, Real phi, con
   return value;
 }
 
+/// N_TRT, its caustic as the treatment says.
 template <std::floating_point Real>
-Real eccentric_index(Real eta, Real ratio, Real phi_h) noexcept {
+[[nodiscard]] std::array<Real, 3> treated_trt(const fibre_section<Real>& section, Real phi,
+                                              const std::array<Real, 3>& sigma_a,
+                                              const caustic_treatment<Real>& caustic) noexcept {
+  if (caustic.smoothed) {
+    return smooth_trt(section, phi, sigma_a, caustic);
+  }
+  return bare_azimuthal(section, 2, phi, sigma_a);
+}
+
+/// The index that makes a round fibre refract like an elliptic one lit at the azimuth φ_h from its long axis.
+/// `ratio` a: of the axes, (0, inf), 1 gives eta. [Marschner 2003 §5.2.3]
+template <std::floating_point Real>
+[[nodiscard]] Real eccentric_index(Real eta, Real ratio, Real phi_h) noexcept {
   const Real along = Real(2) * (eta - Real(1)) * ratio * ratio - eta + Real(2);
   const Real across = Real(2) * (eta - Real(1)) / (ratio * ratio) - eta + Real(2);
   return Real(0.5) * ((along + across) + rotation_by(Real(2) * wrapped_angle(phi_h)).cosine * (along - across));
+}
+
+template <std::floating_point Real>
+fibre_section<Real> make_fibre_section(Real eta, Real theta_d) noexcept {
+  const rotation<Real> angle = rotation_by(theta_d);
+  const Real cosine = greatest(angle.cosine, Real(1e-6));
+  // η′² = 1 + (η² - 1)/cos²θ_d: a sum of positive terms.
+  const Real excess = (eta - Real(1)) * (eta + Real(1)) / (cosine * cosine);
+  const Real eta_perpendicular = square_root(Real(1) + excess);
+  return fibre_section<Real>{eta_perpendicular, eta * eta / eta_perpendicular, excess,
+                             eta / (eta_perpendicular * cosine)};
 }
 
 template <std::floating_point Real>
@@ -195,11 +185,7 @@ marschner_result<Real> evaluate_marschner(const marschner_parameters<Real>& para
   result.azimuthal[1] = bare_azimuthal(section, 1, phi, parameters.sigma_a);
   const Real bent = greatest(eccentric_index(parameters.eta, parameters.eccentricity, phi_h), Real(1));
   const fibre_section<Real> bent_section = make_fibre_section(bent, theta_d);
-  if (parameters.caustic.smoothed) {
-    result.azimuthal[2] = smooth_trt(bent_section, phi, parameters.sigma_a, parameters.caustic);
-  } else {
-    result.azimuthal[2] = bare_azimuthal(bent_section, 2, phi, parameters.sigma_a);
-  }
+  result.azimuthal[2] = treated_trt(bent_section, phi, parameters.sigma_a, parameters.caustic);
   const Real cosine = greatest(rotation_by(theta_d).cosine, Real(1e-6));
   for (std::uint32_t c = 0u; c < 3u; ++c) {
     Real sum = Real(0);

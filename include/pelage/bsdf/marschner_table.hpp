@@ -68,12 +68,7 @@ marschner_lobes<Real> azimuthal_lobes(const fibre_section<Real>& section, const 
                                       Real phi) noexcept {
   const std::array<Real, 3> r = bare_azimuthal(section, 0, phi, parameters.sigma_a);
   const std::array<Real, 3> tt = bare_azimuthal(section, 1, phi, parameters.sigma_a);
-  std::array<Real, 3> trt;
-  if (parameters.caustic.smoothed) {
-    trt = smooth_trt(section, phi, parameters.sigma_a, parameters.caustic);
-  } else {
-    trt = bare_azimuthal(section, 2, phi, parameters.sigma_a);
-  }
+  const std::array<Real, 3> trt = treated_trt(section, phi, parameters.sigma_a, parameters.caustic);
   return marschner_lobes<Real>{glm::vec<3, Real>(r[0], r[1], r[2]), glm::vec<3, Real>(tt[0], tt[1], tt[2]),
                                glm::vec<3, Real>(trt[0], trt[1], trt[2])};
 }

@@ -17,7 +17,9 @@ namespace pelage {
 
 /// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum optical_depth(alpha), and so
 /// know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
-[[nodiscard]] constexpr float optical_weight(float alpha, float optical) noexcept;
+[[nodiscard]] constexpr float optical_weight(float alpha, float optical) noexcept {
+  return saturate(alpha) * fast_exp2(-optical * (1.0f / 1048576.0f));
+}
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -27,10 +29,6 @@ constexpr float order_weight(float alpha, float order) noexcept {
     return order > 0.0f ? 0.0f : 1.0f;
   }
   return held * fast_exp2(order * fast_log2(1.0f - held));
-}
-
-constexpr float optical_weight(float alpha, float optical) noexcept {
-  return saturate(alpha) * fast_exp2(-optical * (1.0f / 1048576.0f));
 }
 
 }  // namespace pelage

@@ -10,22 +10,14 @@ namespace pelage {
 
 /// A colour and its alpha as a premultiplied one. `alpha`: [0, 1].
 template <std::floating_point Real>
-[[nodiscard]] constexpr glm::vec<4, Real> premultiply(const glm::vec<3, Real>& colour, Real alpha) noexcept;
+[[nodiscard]] constexpr glm::vec<4, Real> premultiply(const glm::vec<3, Real>& colour, Real alpha) noexcept {
+  return glm::vec<4, Real>(colour * alpha, alpha);
+}
 
 /// `front` over `back`, both premultiplied: what is seen of both. Associative except for rounding; a transparent
 /// black is the identity. An opaque front hides any finite back.
 template <std::floating_point Real>
-[[nodiscard]] constexpr glm::vec<4, Real> over(const glm::vec<4, Real>& front, const glm::vec<4, Real>& back) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <std::floating_point Real>
-constexpr glm::vec<4, Real> premultiply(const glm::vec<3, Real>& colour, Real alpha) noexcept {
-  return glm::vec<4, Real>(colour * alpha, alpha);
-}
-
-template <std::floating_point Real>
-constexpr glm::vec<4, Real> over(const glm::vec<4, Real>& front, const glm::vec<4, Real>& back) noexcept {
+[[nodiscard]] constexpr glm::vec<4, Real> over(const glm::vec<4, Real>& front, const glm::vec<4, Real>& back) noexcept {
   return front + (Real(1) - front.w) * back;
 }
 

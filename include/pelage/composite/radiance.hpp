@@ -20,7 +20,9 @@ struct pixel_radiance {
 
 /// A pixel with nothing in it.
 template <std::floating_point Real>
-[[nodiscard]] constexpr pixel_radiance<Real> empty_pixel() noexcept;
+[[nodiscard]] constexpr pixel_radiance<Real> empty_pixel() noexcept {
+  return pixel_radiance<Real>{glm::vec<3, Real>(Real(0)), glm::vec<3, Real>(Real(1))};
+}
 
 /// The pixel with one more fibre behind the others. `scattered` L: what the fibre sends to the eye, linear RGB.
 /// `attenuation` A and `coverage` C as in transmittance(). O(1).
@@ -32,14 +34,11 @@ template <std::floating_point Real>
 /// What is seen of the pixel in front of a background, linear RGB.
 template <std::floating_point Real>
 [[nodiscard]] constexpr glm::vec<3, Real> resolve(const pixel_radiance<Real>& pixel,
-                                                  const glm::vec<3, Real>& background) noexcept;
+                                                  const glm::vec<3, Real>& background) noexcept {
+  return pixel.radiance + pixel.transmittance * background;
+}
 
 // ---------------------------------------------------------------------------------------------------------
-
-template <std::floating_point Real>
-constexpr pixel_radiance<Real> empty_pixel() noexcept {
-  return pixel_radiance<Real>{glm::vec<3, Real>(Real(0)), glm::vec<3, Real>(Real(1))};
-}
 
 template <std::floating_point Real>
 constexpr pixel_radiance<Real> add_fibre(const pixel_radiance<Real>& pixel, const glm::vec<3, Real>& scattered,
@@ -47,11 +46,6 @@ constexpr pixel_radiance<Real> add_fibre(const pixel_radiance<Real>& pixel, cons
   const glm::vec<3, Real> stopped = (Real(1) - attenuation) * coverage;
   return pixel_radiance<Real>{pixel.radiance + pixel.transmittance * stopped * scattered,
                               pixel.transmittance * transmittance(attenuation, coverage)};
-}
-
-template <std::floating_point Real>
-constexpr glm::vec<3, Real> resolve(const pixel_radiance<Real>& pixel, const glm::vec<3, Real>& background) noexcept {
-  return pixel.radiance + pixel.transmittance * background;
 }
 
 }  // namespace pelage

@@ -13,21 +13,13 @@ namespace pelage {
 /// `attenuation` A: the part of the light that passes where the fibre is hit, [0, 1]; 1 - opacity for a grey fibre.
 /// `coverage` C: the share of the pixel that it covers, [0, 1]. A = 1 or C = 0 gives exactly 1, C = 1 exactly A.
 template <std::floating_point Real>
-[[nodiscard]] constexpr glm::vec<3, Real> transmittance(const glm::vec<3, Real>& attenuation, Real coverage) noexcept;
-
-/// The same for a grey attenuation.
-template <std::floating_point Real>
-[[nodiscard]] constexpr Real transmittance(Real attenuation, Real coverage) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <std::floating_point Real>
-constexpr glm::vec<3, Real> transmittance(const glm::vec<3, Real>& attenuation, Real coverage) noexcept {
+[[nodiscard]] constexpr glm::vec<3, Real> transmittance(const glm::vec<3, Real>& attenuation, Real coverage) noexcept {
   return attenuation * coverage + (Real(1) - coverage);
 }
 
+/// The same for a grey attenuation.
 template <std::floating_point Real>
-constexpr Real transmittance(Real attenuation, Real coverage) noexcept {
+[[nodiscard]] constexpr Real transmittance(Real attenuation, Real coverage) noexcept {
   return attenuation * coverage + (Real(1) - coverage);
 }
 

@@ -18,7 +18,9 @@ struct fragment {
 };
 
 /// The fragment that stands for none: behind every other one, an id that no primitive has.
-[[nodiscard]] constexpr fragment no_fragment() noexcept;
+[[nodiscard]] constexpr fragment no_fragment() noexcept {
+  return fragment{std::numeric_limits<float>::infinity(), 0xffffffffu};
+}
 
 /// False for what every structure refuses: a NaN depth, or the id of no_fragment().
 [[nodiscard]] constexpr bool is_fragment(fragment f) noexcept;
@@ -27,21 +29,19 @@ struct fragment {
 /// floats: denormals count on machines that flush them, too, and a NaN lies beyond the infinity of its sign.
 [[nodiscard]] constexpr bool before(fragment a, fragment b) noexcept;
 
-/// True if both are the same fragment: neither is before the other.
-[[nodiscard]] constexpr bool same(fragment a, fragment b) noexcept;
-
 /// An unsigned number that orders as the depth does: key(a) < key(b) exactly when a < b. -0 and +0 share a
 /// key, infinities are ordinary, denormals count. NaN has a key outside [key(-inf), key(+inf)].
 [[nodiscard]] constexpr std::uint32_t depth_key(float depth) noexcept;
+
+/// True if both are the same fragment: neither is before the other.
+[[nodiscard]] constexpr bool same(fragment a, fragment b) noexcept {
+  return depth_key(a.depth) == depth_key(b.depth) && a.id == b.id;
+}
 
 /// The depth whose key this is; the inverse of depth_key except for the sign of zero.
 [[nodiscard]] constexpr float depth_from_key(std::uint32_t key) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
-
-constexpr fragment no_fragment() noexcept {
-  return fragment{std::numeric_limits<float>::infinity(), 0xffffffffu};
-}
 
 constexpr bool is_fragment(fragment f) noexcept {
   const std::uint32_t magnitude = std::bit_cast<std::uint32_t>(f.depth) & 0x7fffffffu;
@@ -52,10 +52,6 @@ constexpr bool before(fragment a, fragment b) noexcept {
   const std::uint32_t key_a = depth_key(a.depth);
   const std::uint32_t key_b = depth_key(b.depth);
   return key_a < key_b || (key_a == key_b && a.id < b.id);
-}
-
-constexpr bool same(fragment a, fragment b) noexcept {
-  return depth_key(a.depth) == depth_key(b.depth) && a.id == b.id;
 }
 
 constexpr std::uint32_t depth_key(float depth) noexcept {

@@ -16,30 +16,19 @@ struct ray_cone {
 /// The cone of a perspective camera's pixel: the disc touches the pixel's sides. `tan_half_fov`: tangent of half
 /// the vertical field of view, (0, inf). `height`: pixels from bottom to top, [1, inf).
 template <std::floating_point Real>
-[[nodiscard]] constexpr ray_cone<Real> perspective_cone(Real tan_half_fov, int height) noexcept;
-
-/// The cylinder of an orthographic map's texel: `extent` length units across `texels` texels, [1, inf).
-template <std::floating_point Real>
-[[nodiscard]] constexpr ray_cone<Real> orthographic_cone(Real extent, int texels) noexcept;
-
-/// The disc's radius at a view depth (along the axis of view, not along the ray). Depths behind the eye count as 0.
-template <std::floating_point Real>
-[[nodiscard]] constexpr Real radius_at(ray_cone<Real> cone, Real depth) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <std::floating_point Real>
-constexpr ray_cone<Real> perspective_cone(Real tan_half_fov, int height) noexcept {
+[[nodiscard]] constexpr ray_cone<Real> perspective_cone(Real tan_half_fov, int height) noexcept {
   return ray_cone<Real>{Real(0), tan_half_fov / Real(height)};
 }
 
+/// The cylinder of an orthographic map's texel: `extent` length units across `texels` texels, [1, inf).
 template <std::floating_point Real>
-constexpr ray_cone<Real> orthographic_cone(Real extent, int texels) noexcept {
+[[nodiscard]] constexpr ray_cone<Real> orthographic_cone(Real extent, int texels) noexcept {
   return ray_cone<Real>{Real(0.5) * extent / Real(texels), Real(0)};
 }
 
+/// The disc's radius at a view depth (along the axis of view, not along the ray). Depths behind the eye count as 0.
 template <std::floating_point Real>
-constexpr Real radius_at(ray_cone<Real> cone, Real depth) noexcept {
+[[nodiscard]] constexpr Real radius_at(ray_cone<Real> cone, Real depth) noexcept {
   return cone.base + cone.slope * (depth > Real(0) ? depth : Real(0));
 }
 

@@ -35,35 +35,26 @@ template <std::floating_point Real>
                                                 Real fibre_radius, ray_cone<Real> cone, Real near_plane,
                                                 Real margin) noexcept;
 
-/// What the fibre and the margin take up round a point of the axis at this view depth.
-template <std::floating_point Real>
-[[nodiscard]] Real reach_at(Real depth, Real fibre_radius, ray_cone<Real> cone, Real margin) noexcept;
-
-/// How much farther the cone of sight that touches a ball reaches beside the ball's centre than the ball itself.
-/// `reach`: the ball's radius over the distance of its centre from the eye, [0, 1); from there on: 1000.
-template <std::floating_point Real>
-[[nodiscard]] Real tangent_stretch(Real reach) noexcept;
-
-/// A unit vector at right angles to a unit vector.
-template <std::floating_point Real>
-[[nodiscard]] glm::vec<3, Real> any_normal(const glm::vec<3, Real>& direction) noexcept;
-
 // ---------------------------------------------------------------------------------------------------------
 
+/// What the fibre and the margin take up round a point of the axis at this view depth.
 template <std::floating_point Real>
-Real reach_at(Real depth, Real fibre_radius, ray_cone<Real> cone, Real margin) noexcept {
+[[nodiscard]] Real reach_at(Real depth, Real fibre_radius, ray_cone<Real> cone, Real margin) noexcept {
   // A pixel's disc may lie deeper than the point it touches by up to this very reach, and is the wider for it.
   return (fibre_radius + Real(2) * margin * radius_at(cone, depth)) / (Real(1) - cone.slope);
 }
 
+/// How much farther the cone of sight that touches a ball reaches beside the ball's centre than the ball itself.
+/// `reach`: the ball's radius over the distance of its centre from the eye, [0, 1); from there on: 1000.
 template <std::floating_point Real>
-Real tangent_stretch(Real reach) noexcept {
+[[nodiscard]] Real tangent_stretch(Real reach) noexcept {
   const Real cosine2 = (Real(1) - reach) * (Real(1) + reach);
   return cosine2 > Real(1e-6) ? Real(1) / std::sqrt(cosine2) : Real(1000);
 }
 
+/// A unit vector at right angles to a unit vector.
 template <std::floating_point Real>
-glm::vec<3, Real> any_normal(const glm::vec<3, Real>& direction) noexcept {
+[[nodiscard]] glm::vec<3, Real> any_normal(const glm::vec<3, Real>& direction) noexcept {
   const bool along_x = direction.x * direction.x > Real(0.5);
   const glm::vec<3, Real> other =
       along_x ? glm::vec<3, Real>(Real(0), Real(1), Real(0)) : glm::vec<3, Real>(Real(1), Real(0), Real(0));
