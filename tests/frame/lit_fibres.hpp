@@ -34,7 +34,7 @@ struct lit_fibres {
 
   /// The point at a depth on the ray through pixel coordinates.
   [[nodiscard]] glm::vec3 point(float x, float y, float depth) const {
-    const frame::view_ray ray = light.ray({x, y});
+    const frame::view_ray ray = light.ray(x, y);
     return light.eye + light.direction_to_world(ray.origin + depth * ray.direction);
   }
   [[nodiscard]] glm::vec3 centre(int x, int y, float depth) const {

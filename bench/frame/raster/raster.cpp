@@ -12,7 +12,7 @@
 namespace pelage::frame {
 float screen_stretch(const view& from) {
   if (!from.perspective) return 1.0F;
-  const float steepest = glm::length(glm::vec3(from.ray({0.0F, 0.0F}).direction));
+  const float steepest = glm::length(glm::vec3(from.ray(0.0F, 0.0F).direction));
   return from.cone.slope < 1.0F ? steepest / (1.0F - from.cone.slope) : std::numeric_limits<float>::infinity();
 }
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/lanes.hpp>
-#include <pelage/coverage/closest_points.hpp>
-#include <pelage/coverage/disc_strip.hpp>
 
 #include <glm/glm.hpp>
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "frame/model/strands.hpp"
 #include "frame/raster/fragment_lanes.hpp"
 #include "frame/raster/outline.hpp"
+#include "frame/raster/segment_in_pixel.hpp"
 #include "frame/scene/view.hpp"
 
 namespace pelage::frame {
@@ -82,7 +81,6 @@ class raster {
 
   [[nodiscard]] static glm::vec3 position_of(const projected& p) { return {p.x, p.y, p.z}; }
   [[nodiscard]] static glm::vec2 pixel_of(const projected& p) { return {p.pixel_x, p.pixel_y}; }
-  [[nodiscard]] static glm::vec2 joint_of(const projected& p) { return {p.joint_x, p.joint_y}; }
 
   /// The outline of a segment that reaches past the near plane or far beyond the view: a box or the whole view.
   [[nodiscard]] outline<float> wide_outline_of(std::uint32_t segment) const;
@@ -109,23 +107,9 @@ inline pixel_fragment raster::at(std::uint32_t segment, int x, int y) const {
   const std::uint32_t i = fibres_.segment[segment];
   const projected& a = point_[i];
   const projected& b = point_[i + 1];
-  const glm::vec2 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-  const bool behind_start = glm::dot(centre - pixel_of(a), joint_of(a)) < 0.0F;
-  const bool before_end = glm::dot(centre - pixel_of(b), joint_of(b)) < 0.0F;
-  if (behind_start || !before_end) {
-    const bool seen_end_on = joint_of(a) == glm::vec2(0.0F) && joint_of(b) == glm::vec2(0.0F);
-    if (!seen_end_on) return {segment, 0.0F, 0.0F, 0.0F};
-  }
-
-  const view_ray ray = view_.ray(centre);
-  const closest_pair<float> pair = closest_points(ray.origin, ray.direction, position_of(a), position_of(b));
-  const float disc = radius_at(view_.cone, pair.along_ray);
-  const float radius = a.radius + pair.along_segment * (b.radius - a.radius);
-  const float share = antialias_ ? disc_strip_share(pair.distance, radius, disc)
-                                 : (pair.distance <= std::max(radius, disc) ? 1.0F : 0.0F);
-  const float axis_depth = -(a.z + pair.along_segment * (b.z - a.z));
-  const bool in_front = std::min(pair.along_ray, axis_depth) >= view_.near_plane;
-  return {segment, pair.along_ray, in_front ? share : 0.0F, pair.along_segment};
+  const auto found =
+      look_at(a, b, seen_end_on(a, b), static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, view_, antialias_);
+  return {segment, found.depth, found.coverage, found.along};
 }
 
 }  // namespace pelage::frame

@@ -45,7 +45,7 @@ class raster::sweep {
   void look_at_whole(Look&& look);
 
   /// What the segments leave in the pixels of `place` that wait there.
-  [[nodiscard]] drawn_fragments look_at(integers place) const;
+  [[nodiscard]] drawn_fragments drawn_at(integers place) const;
 
   [[nodiscard]] static integers whole_numbers(pack x) { return __builtin_convertvector(x.lane, integers); }
   [[nodiscard]] static pack as_floats(integers x) { return pack(__builtin_convertvector(x, pack::vector)); }
@@ -134,7 +134,7 @@ void raster::sweep::draw(std::span<const std::uint32_t> segments, Visit&& visit)
   near.half.store(half);
 
   const auto look = [&](int first, int count) {
-    drawn_fragments found = look_at(load(waiting_.data() + first));
+    drawn_fragments found = drawn_at(load(waiting_.data() + first));
     if (count < width) found.set &= (1U << count) - 1U;
     if (found.set != 0) visit(found);
   };
@@ -176,9 +176,7 @@ inline void raster::sweep::load(std::span<const std::uint32_t> segments) {
   }
   start_ = {member[0], member[1], member[2], member[3], member[4], member[5], member[6], member[7]};
   end_ = {member[8], member[9], member[10], member[11], member[12], member[13], member[14], member[15]};
-  const pack any_joint =
-      absolute(start_.joint_x) + absolute(start_.joint_y) + absolute(end_.joint_x) + absolute(end_.joint_y);
-  end_on_ = select(any_joint > pack(0.0F), pack(0.0F), pack(1.0F));
+  end_on_ = seen_end_on(start_, end_);
 }
 
 template <class Look>
@@ -216,50 +214,21 @@ void raster::sweep::queue(int lane, const outline<float>& near, Look&& look) {
   }
 }
 
-inline drawn_fragments raster::sweep::look_at(integers place) const {
-  const view& v = from_.view_;
+inline drawn_fragments raster::sweep::drawn_at(integers place) const {
   const integers lane = place >> (2 * coordinate_bits) & (width - 1);
   const integers row = place >> coordinate_bits & coordinate_mask;
   const integers column = place & coordinate_mask;
-  const auto own = [lane](pack of_segments) { return picked(of_segments, lane); };
-  const pack x = as_floats(column) + pack(0.5F);
-  const pack y = as_floats(row) + pack(0.5F);
-  const auto past = [&](const projected_point<pack>& p) {
-    return (x - own(p.pixel_x)) * own(p.joint_x) + (y - own(p.pixel_y)) * own(p.joint_y);
+  const auto own = [lane](const projected_point<pack>& p) {
+    return projected_point<pack>{picked(p.x, lane),       picked(p.y, lane),       picked(p.z, lane),
+                                 picked(p.radius, lane),  picked(p.pixel_x, lane), picked(p.pixel_y, lane),
+                                 picked(p.joint_x, lane), picked(p.joint_y, lane)};
   };
-  const pack zero(0.0F);
-  const lane_mask<width> behind_start = past(start_) < zero;
-  const lane_mask<width> before_end = past(end_) < own(end_on_);  // seen end on, all are 0
-
-  const pack scale(v.scale);
-  const lane_vector<width> across{(x - pack(0.5F * static_cast<float>(v.width))) / scale,
-                                  (pack(0.5F * static_cast<float>(v.height)) - y) / scale, zero};
-  const lane_vector<width> nowhere{zero, zero, zero};
-  const lane_vector<width> origin = v.perspective ? nowhere : across;
-  const pack ahead(-1.0F);
-  const lane_vector<width> direction =
-      v.perspective ? lane_vector<width>{across.x, across.y, ahead} : lane_vector<width>{zero, zero, ahead};
-  const lane_vector<width> start{own(start_.x), own(start_.y), own(start_.z)};
-  const lane_vector<width> end{own(end_.x), own(end_.y), own(end_.z)};
-  const closest_pair<lanes<width>> pair = closest_points(origin, direction, start, end);
-
-  const pack disc = pack(v.cone.base) + pack(v.cone.slope) * select(pair.along_ray > zero, pair.along_ray, zero);
-  const pack start_radius = own(start_.radius);
-  const pack radius = start_radius + pair.along_segment * (own(end_.radius) - start_radius);
-  pack share;
-  if (from_.antialias_) {
-    share = disc_strip_share(pair.distance, radius, disc);
-  } else {
-    share = select(select(radius > disc, radius, disc) < pair.distance, zero, pack(1.0F));
-  }
-  const pack axis_depth = zero - (start.z + pair.along_segment * (end.z - start.z));
-  const pack near_plane(v.near_plane);
-  share = select(pair.along_ray < near_plane, zero, select(axis_depth < near_plane, zero, share));
-  share = select(behind_start, zero, select(before_end, share, zero));
-  return {bits(share > zero),
+  const auto found = look_at(own(start_), own(end_), picked(end_on_, lane), as_floats(column) + pack(0.5F),
+                             as_floats(row) + pack(0.5F), from_.view_, from_.antialias_);
+  return {bits(found.coverage > pack(0.0F)),
           column,
           row,
-          {picked_integers<width>(number_, lane), pair.along_ray, share, pair.along_segment}};
+          {picked_integers<width>(number_, lane), found.depth, found.coverage, found.along}};
 }
 
 }  // namespace pelage::frame

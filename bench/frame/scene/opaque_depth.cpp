@@ -16,7 +16,7 @@ std::vector<float> opaque_depths(const view& from, const solids& opaque) {
     float* const row = &depth[static_cast<std::size_t>(y) * width];
     for (int x = 0; x < from.width; x += wide_width) {
       const wide_rays rays =
-          from.world_rays(counted_from(static_cast<float>(x) + 0.5F), wide(static_cast<float>(y) + 0.5F));
+          from.world_ray(counted_from(static_cast<float>(x) + 0.5F), wide(static_cast<float>(y) + 0.5F));
       const wide found = opaque.hit(rays.origin, rays.direction).distance;
       for (int k = 0; k < std::min(wide_width, from.width - x); ++k)
         row[x + k] = found.lane[k];

@@ -14,17 +14,15 @@ struct pixel_rect {
   int x0, y0, x1, y1;
 };
 
-/// A ray in view space whose direction has z = -1, so that a position along it is a view depth.
-struct view_ray {
-  glm::vec3 origin;
-  glm::vec3 direction;
+/// A ray whose direction has z = -1 in view space, so that a position along it is a view depth. Real: float, or a pack
+/// of floats for as many rays.
+template <class Real>
+struct ray_from {
+  glm::vec<3, Real> origin;
+  glm::vec<3, Real> direction;
 };
-
-/// The same rays in the world, as many as there are lanes.
-struct wide_rays {
-  wide3 origin;
-  wide3 direction;
-};
+using view_ray = ray_from<float>;
+using wide_rays = ray_from<wide>;
 
 /// Where a picture is taken from, by a camera or by a light: a frame in space, a projection and a grid of pixels.
 /// View space has the eye at its origin and looks along -z with y up; pixel (0, 0) is at the top left and its centre
@@ -38,50 +36,49 @@ struct view {
   int width, height;     ///< pixels
   ray_cone<float> cone;  ///< of one pixel
 
-  [[nodiscard]] glm::vec3 to_view(const glm::vec3& world) const { return rotation * (world - eye); }
-  [[nodiscard]] wide3 to_view(const wide3& world) const {
-    const wide3 d = world - filled<wide>(eye);
+  // Real: float, or a pack of floats for as many points.
+
+  template <class Real>
+  [[nodiscard]] glm::vec<3, Real> to_view(const glm::vec<3, Real>& world) const {
+    const glm::vec<3, Real> d = world - filled<Real>(eye);
     const auto row = [&](int i) {
-      return wide(rotation[0][i]) * d.x + wide(rotation[1][i]) * d.y + wide(rotation[2][i]) * d.z;
+      return Real(rotation[0][i]) * d.x + Real(rotation[1][i]) * d.y + Real(rotation[2][i]) * d.z;
     };
     return {row(0), row(1), row(2)};
   }
-  [[nodiscard]] glm::vec3 direction_to_world(const glm::vec3& d) const { return glm::transpose(rotation) * d; }
-  [[nodiscard]] wide3 direction_to_world(const wide3& d) const {
+
+  template <class Real>
+  [[nodiscard]] glm::vec<3, Real> direction_to_world(const glm::vec<3, Real>& d) const {
     const auto column = [&](int i) {
-      return wide(rotation[i].x) * d.x + wide(rotation[i].y) * d.y + wide(rotation[i].z) * d.z;
+      return Real(rotation[i].x) * d.x + Real(rotation[i].y) * d.y + Real(rotation[i].z) * d.z;
     };
     return {column(0), column(1), column(2)};
   }
 
   /// Pixel coordinates of a point in view space; a point nearer than the near plane is taken to lie on it.
-  [[nodiscard]] glm::vec2 to_pixel(const glm::vec3& p) const {
-    const float depth = -p.z > near_plane ? -p.z : near_plane;
-    const float s = perspective ? scale / depth : scale;
-    return {0.5F * static_cast<float>(width) + s * p.x, 0.5F * static_cast<float>(height) - s * p.y};
+  template <class Real>
+  [[nodiscard]] glm::vec<2, Real> to_pixel(const glm::vec<3, Real>& p) const {
+    const Real s = perspective ? Real(scale) / greatest(Real(0.0F) - p.z, Real(near_plane)) : Real(scale);
+    return {Real(0.5F * static_cast<float>(width)) + s * p.x, Real(0.5F * static_cast<float>(height)) - s * p.y};
   }
 
-  [[nodiscard]] glm::vec<2, wide> to_pixel(const wide3& p) const {
-    const wide ahead = wide(0.0F) - p.z;
-    const wide s = perspective ? wide(scale) / greatest(ahead, wide(near_plane)) : wide(scale);
-    return {wide(0.5F * static_cast<float>(width)) + s * p.x, wide(0.5F * static_cast<float>(height)) - s * p.y};
+  /// The ray through pixel coordinates, in view space.
+  template <class Real>
+  [[nodiscard]] ray_from<Real> ray(Real x, Real y) const {
+    const Real zero(0.0F);
+    const Real ahead(-1.0F);
+    const Real right = (x - Real(0.5F * static_cast<float>(width))) / Real(scale);
+    const Real up = (Real(0.5F * static_cast<float>(height)) - y) / Real(scale);
+    if (perspective) return {{zero, zero, zero}, {right, up, ahead}};
+    return {{right, up, zero}, {zero, zero, ahead}};
   }
 
-  /// The ray through pixel coordinates.
-  [[nodiscard]] view_ray ray(const glm::vec2& pixel) const {
-    const glm::vec3 across((pixel.x - 0.5F * static_cast<float>(width)) / scale,
-                           (0.5F * static_cast<float>(height) - pixel.y) / scale, 0.0F);
-    const glm::vec3 ahead(0.0F, 0.0F, -1.0F);
-    return perspective ? view_ray{glm::vec3(0.0F), across + ahead} : view_ray{across, ahead};
-  }
-  [[nodiscard]] wide_rays world_rays(wide x, wide y) const {
-    const wide zero(0.0F);
-    const wide3 across((x - wide(0.5F * static_cast<float>(width))) / wide(scale),
-                       (wide(0.5F * static_cast<float>(height)) - y) / wide(scale), zero);
-    const wide3 ahead(zero, zero, wide(-1.0F));
-    const wide3 from = filled<wide>(eye);
-    if (perspective) return {from, direction_to_world(across + ahead)};
-    return {from + direction_to_world(across), direction_to_world(ahead)};
+  /// The same in the world.
+  template <class Real>
+  [[nodiscard]] ray_from<Real> world_ray(Real x, Real y) const {
+    const ray_from<Real> seen = ray(x, y);
+    const glm::vec<3, Real> from = filled<Real>(eye);
+    return {perspective ? from : from + direction_to_world(seen.origin), direction_to_world(seen.direction)};
   }
 };
 

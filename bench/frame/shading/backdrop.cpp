@@ -33,7 +33,7 @@ void backdrop::see(const view& eye, const scene& world, int x, int y) {
   for (int s = 0; s < samples; ++s) {
     const wide across = counted_from(static_cast<float>(x)) + wide(offset(s % side_));
     const scene::backdrop_rays seen =
-        world.seen_behind(eye.world_rays(across, wide(static_cast<float>(y) + offset(s / side_))));
+        world.seen_behind(eye.world_ray(across, wide(static_cast<float>(y) + offset(s / side_))));
     for (int k = 0; k < count; ++k)
       depth[k * samples + s] = seen.depth.lane[k];
     nearest = least(seen.depth, nearest);
