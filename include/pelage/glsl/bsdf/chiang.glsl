@@ -83,17 +83,51 @@ struct pelage_chiang_section {
 };
 
 /// Refraction in the fibre's section at an offset h.
-precise pelage_chiang_section pelage_cross_chiang_section(float eta, float h, float sin_o, float cos_o);
+precise pelage_chiang_section pelage_cross_chiang_section(float eta, float h, float sin_o, float cos_o) {
+  // sin γ_t = h/η′ with η′ = √(η² - sin²θ_o)/cos θ_o.
+  const float across = pelage_greatest(-1.0, pelage_least(1.0, h));
+  const float cos_gamma_o = pelage_square_root((1.0 - across) * (1.0 + across));
+  const float over_bent = 1.0 / pelage_square_root(pelage_greatest((eta - sin_o) * (eta + sin_o), 1e-36));
+  const float sin_gamma_t = across * pelage_least(cos_o * over_bent, 1.0);
+  const float cos_gamma_t = pelage_square_root((1.0 - sin_gamma_t) * (1.0 + sin_gamma_t));
+  // One crossing is 2 cos γ_t/cos θ_t long, and cos θ_t = √(η² - sin²θ_o)/η.
+  return pelage_chiang_section(
+      pelage_dielectric_interface(cos_o * cos_gamma_o, eta), 2.0 * cos_gamma_t * eta * over_bent,
+      pelage_rotation(1.0 - 2.0 * across * across, 2.0 * across * cos_gamma_o),
+      pelage_rotation(2.0 * sin_gamma_t * sin_gamma_t - 1.0, -2.0 * sin_gamma_t * cos_gamma_t));
+}
 
 /// A_0 to A_3 for one σ_a. [Chiang 2016 Eq. 6; d'Eon 2011 §3.2]
-precise float[4] pelage_chiang_attenuation(pelage_chiang_section section, float sigma_a);
+precise float[4] pelage_chiang_attenuation(pelage_chiang_section section, float sigma_a) {
+  const pelage_interface_shares surface = section.surface;
+  const float depth = sigma_a * section.radii;
+  const float kept = pelage_exponential(0.0 - depth);
+  const float turned_back = surface.reflected * kept;
+  const float passed = surface.transmitted * surface.transmitted * kept;
+  // 1 - TF without cancellation; where it is 0 so is what it divides.
+  const float rest = surface.transmitted + surface.reflected * pelage_one_minus_exponential(depth);
+  const float returned = passed * turned_back;
+  const float residual = returned * turned_back / pelage_select(rest > 0.0, rest, 1.0);
+  return float[4](surface.reflected, passed, returned, residual);
+}
 
 /// M of one lobe: `sum` holds cos and sin of θ_i + θ_o before the lobe's tilt.
 precise float pelage_chiang_along(pelage_longitudinal_lobe lobe, pelage_rotation sum, pelage_rotation tilt,
-                                  pelage_rotation tilted, float flipped, float sin_i, float cos_i);
+                                  pelage_rotation tilted, float flipped, float sin_i, float cos_i) {
+  // The tilt turns the sum of the inclinations, but where the tilted cosine has lost its sign.
+  const float product = cos_i * tilted.cosine;
+  const pelage_rotation turned = pelage_turned_by(sum, tilt);
+  const pelage_rotation between =
+      pelage_rotation(pelage_select(flipped > 0.0, product - sin_i * tilted.sine, turned.cosine),
+                      pelage_select(flipped > 0.0, sin_i * tilted.cosine + cos_i * tilted.sine, turned.sine));
+  return pelage_evaluate_longitudinal(lobe, pelage_inclination_pair(pelage_versine(between), product));
+}
 
 /// N of one lobe round its middle.
-precise float pelage_chiang_round(pelage_azimuthal_lobe lobe, pelage_rotation middle, float y, float z);
+precise float pelage_chiang_round(pelage_azimuthal_lobe lobe, pelage_rotation middle, float y, float z) {
+  return pelage_evaluate_azimuthal(
+      lobe, pelage_unsigned_angle(middle.cosine * z - middle.sine * y, middle.cosine * y + middle.sine * z));
+}
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -180,49 +214,6 @@ precise float pelage_chiang_density(pelage_chiang_fibre fibre, pelage_chiang_vie
   const float lobes[4] = pelage_chiang_lobes(fibre, view, light);
   return ((lobes[0] * view.weights[0] + lobes[1] * view.weights[1]) + lobes[2] * view.weights[2]) +
          lobes[3] * view.weights[3];
-}
-
-precise pelage_chiang_section pelage_cross_chiang_section(float eta, float h, float sin_o, float cos_o) {
-  // sin γ_t = h/η′ with η′ = √(η² - sin²θ_o)/cos θ_o.
-  const float across = pelage_greatest(-1.0, pelage_least(1.0, h));
-  const float cos_gamma_o = pelage_square_root((1.0 - across) * (1.0 + across));
-  const float over_bent = 1.0 / pelage_square_root(pelage_greatest((eta - sin_o) * (eta + sin_o), 1e-36));
-  const float sin_gamma_t = across * pelage_least(cos_o * over_bent, 1.0);
-  const float cos_gamma_t = pelage_square_root((1.0 - sin_gamma_t) * (1.0 + sin_gamma_t));
-  // One crossing is 2 cos γ_t/cos θ_t long, and cos θ_t = √(η² - sin²θ_o)/η.
-  return pelage_chiang_section(
-      pelage_dielectric_interface(cos_o * cos_gamma_o, eta), 2.0 * cos_gamma_t * eta * over_bent,
-      pelage_rotation(1.0 - 2.0 * across * across, 2.0 * across * cos_gamma_o),
-      pelage_rotation(2.0 * sin_gamma_t * sin_gamma_t - 1.0, -2.0 * sin_gamma_t * cos_gamma_t));
-}
-
-precise float[4] pelage_chiang_attenuation(pelage_chiang_section section, float sigma_a) {
-  const pelage_interface_shares surface = section.surface;
-  const float depth = sigma_a * section.radii;
-  const float kept = pelage_exponential(0.0 - depth);
-  const float turned_back = surface.reflected * kept;
-  const float passed = surface.transmitted * surface.transmitted * kept;
-  // 1 - TF without cancellation; where it is 0 so is what it divides.
-  const float rest = surface.transmitted + surface.reflected * pelage_one_minus_exponential(depth);
-  const float returned = passed * turned_back;
-  const float residual = returned * turned_back / pelage_select(rest > 0.0, rest, 1.0);
-  return float[4](surface.reflected, passed, returned, residual);
-}
-
-precise float pelage_chiang_along(pelage_longitudinal_lobe lobe, pelage_rotation sum, pelage_rotation tilt,
-                                  pelage_rotation tilted, float flipped, float sin_i, float cos_i) {
-  // The tilt turns the sum of the inclinations, but where the tilted cosine has lost its sign.
-  const float product = cos_i * tilted.cosine;
-  const pelage_rotation turned = pelage_turned_by(sum, tilt);
-  const pelage_rotation between =
-      pelage_rotation(pelage_select(flipped > 0.0, product - sin_i * tilted.sine, turned.cosine),
-                      pelage_select(flipped > 0.0, sin_i * tilted.cosine + cos_i * tilted.sine, turned.sine));
-  return pelage_evaluate_longitudinal(lobe, pelage_inclination_pair(pelage_versine(between), product));
-}
-
-precise float pelage_chiang_round(pelage_azimuthal_lobe lobe, pelage_rotation middle, float y, float z) {
-  return pelage_evaluate_azimuthal(
-      lobe, pelage_unsigned_angle(middle.cosine * z - middle.sine * y, middle.cosine * y + middle.sine * z));
 }
 
 #endif

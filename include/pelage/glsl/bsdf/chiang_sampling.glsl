@@ -33,12 +33,25 @@ precise pelage_chiang_bsdf pelage_evaluate_chiang_bsdf(pelage_chiang_fibre fibre
 precise pelage_chiang_sample pelage_sample_chiang(pelage_chiang_fibre fibre, pelage_chiang_view view, float u[4]);
 
 /// The lobe that a number in [0, 1) picks by its weight. A residual lobe of weight 0 is not picked.
-precise uint pelage_pick_chiang_lobe(float weights[4], float u);
+precise uint pelage_pick_chiang_lobe(float weights[4], float u) {
+  const float first = weights[0];
+  const float second = first + weights[1];
+  const float third = second + weights[2];
+  const bool residual = u >= third && weights[3] > 0.0;
+  return residual ? 3u : (u < first ? 0u : (u < second ? 1u : 2u));
+}
 
 /// Draws a direction from one lobe: its M round the eye's tilted inclination, its N round the middle, or for the
 /// `residual` lobe any azimuth. Takes the last three of the four numbers.
 precise vec3 pelage_draw_chiang_direction(pelage_longitudinal_lobe along, pelage_azimuthal_lobe around,
-                                          pelage_rotation tilted, pelage_rotation middle, bool residual, float u[4]);
+                                          pelage_rotation tilted, pelage_rotation middle, bool residual, float u[4]) {
+  const float from_middle = residual ? 6.283185307179586477 * u[3] : pelage_sample_azimuthal(around, u[3]);
+  const pelage_rotation inclination = pelage_sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
+  const pelage_rotation azimuth = pelage_turned_by(middle, pelage_rotation_by(from_middle));
+  const float across =
+      inclination.cosine / pelage_square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
+  return vec3(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
+}
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -67,24 +80,6 @@ precise pelage_chiang_sample pelage_sample_chiang(pelage_chiang_fibre fibre, pel
   drawn.direction = pelage_draw_chiang_direction(along, fibre.azimuthal, tilted, middle, drawn.lobe == 3u, u);
   drawn.result = pelage_evaluate_chiang(fibre, view, pelage_direction_by_fibre(drawn.direction));
   return drawn;
-}
-
-precise uint pelage_pick_chiang_lobe(float weights[4], float u) {
-  const float first = weights[0];
-  const float second = first + weights[1];
-  const float third = second + weights[2];
-  const bool residual = u >= third && weights[3] > 0.0;
-  return residual ? 3u : (u < first ? 0u : (u < second ? 1u : 2u));
-}
-
-precise vec3 pelage_draw_chiang_direction(pelage_longitudinal_lobe along, pelage_azimuthal_lobe around,
-                                          pelage_rotation tilted, pelage_rotation middle, bool residual, float u[4]) {
-  const float from_middle = residual ? 6.283185307179586477 * u[3] : pelage_sample_azimuthal(around, u[3]);
-  const pelage_rotation inclination = pelage_sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
-  const pelage_rotation azimuth = pelage_turned_by(middle, pelage_rotation_by(from_middle));
-  const float across =
-      inclination.cosine / pelage_square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
-  return vec3(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
 }
 
 #endif

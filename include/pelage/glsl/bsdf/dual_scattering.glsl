@@ -55,7 +55,9 @@ struct pelage_dual_global {
 precise pelage_dual_local pelage_dual_local_scattering(pelage_dual_averages averages, pelage_dual_density density);
 
 /// Before any fibre: all light is direct.
-pelage_dual_global pelage_dual_unshadowed();
+pelage_dual_global pelage_dual_unshadowed() {
+  return pelage_dual_global(1.0, vec3(0.0), vec3(0.0));
+}
 
 /// Global multiple scattering, the real-time form: what `count` fibres leave of the light, all taken to be alike.
 /// [Zinke 2008 §4.1, Eqs. 4 to 8]
@@ -80,7 +82,12 @@ precise vec3 pelage_dual_scattering(pelage_dual_averages averages, pelage_dual_l
 
 /// The share per steradian of a lobe: a Gaussian in θ_h and linear in |φ|, forward (largest at ±π) or backward (at 0);
 /// integrates to 1 over the sphere except for what a wide Gaussian leaves beyond ±π/2.
-precise float pelage_dual_lobe(float theta_h, float variance, float cos_theta_r, float share_of_azimuth);
+precise float pelage_dual_lobe(float theta_h, float variance, float cos_theta_r, float share_of_azimuth) {
+  const float v = pelage_greatest(variance, 1e-8);
+  // ½ since θ_r is twice θ_h; 1/π for the half circle.
+  const float gauss = pelage_exponential(-0.5 * theta_h * theta_h / v) * 0.398942280401432678 / pelage_square_root(v);
+  return 0.159154943091895336 * gauss * share_of_azimuth / pelage_greatest(cos_theta_r, 1e-4);
+}
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -107,10 +114,6 @@ precise pelage_dual_local pelage_dual_local_scattering(pelage_dual_averages aver
   return local;
 }
 
-pelage_dual_global pelage_dual_unshadowed() {
-  return pelage_dual_global(1.0, vec3(0.0), vec3(0.0));
-}
-
 precise pelage_dual_global pelage_dual_global_scattering(pelage_dual_averages averages, pelage_dual_density density,
                                                          float count, float direct) {
   pelage_dual_global global;
@@ -131,13 +134,6 @@ precise pelage_dual_global pelage_dual_pass_fibre(pelage_dual_global before, pel
   after.transmitted = (before.transmitted + density.forward * before.direct) * averages.forward;
   after.variance = before.variance + averages.forward_variance;
   return after;
-}
-
-precise float pelage_dual_lobe(float theta_h, float variance, float cos_theta_r, float share_of_azimuth) {
-  const float v = pelage_greatest(variance, 1e-8);
-  // ½ since θ_r is twice θ_h; 1/π for the half circle.
-  const float gauss = pelage_exponential(-0.5 * theta_h * theta_h / v) * 0.398942280401432678 / pelage_square_root(v);
-  return 0.159154943091895336 * gauss * share_of_azimuth / pelage_greatest(cos_theta_r, 1e-4);
 }
 
 precise vec3 pelage_dual_scattering(pelage_dual_averages averages, pelage_dual_local local, pelage_dual_global global,

@@ -4,45 +4,24 @@
 #ifndef PELAGE_BSDF_FRESNEL_GLSL
 #define PELAGE_BSDF_FRESNEL_GLSL
 
+#include "interface.glsl"
+#include "../core/elementary.glsl"
 #include "../core/math.glsl"
 
-/// The share of unpolarised light that a smooth dielectric surface reflects, [0, 1]: exact Fresnel equations.
-///
-/// `cos_theta`: cosine of the angle of incidence; its sign does not matter, clamped to [0, 1]. `eta`: index of
-/// refraction behind the surface over that before it, (0, 1e18); below 1 total internal reflection gives 1.
-/// At grazing incidence (0): 1; eta = 1 gives 0 except for cos_theta below 1e-18, which counts as grazing. NaN gives 1.
-/// In float within 1e-6 relative for eta in [1, 1000]; in [0.3, 1) the error grows to 5e-4 beside the critical angle.
-precise float pelage_fresnel_dielectric(float cos_theta, float eta);
+/// The share of unpolarised light that a smooth dielectric surface reflects, [0, 1]: dielectric_interface() for a
+/// cosine of any sign, clamped to [0, 1]. NaN gives 1.
+float pelage_fresnel_dielectric(float cos_theta, float eta) {
+  return pelage_dielectric_interface(pelage_saturate(pelage_absolute(cos_theta)), eta).reflected;
+}
 
 /// A(η, θ): the share of light that passes a clear fibre through its axis, in and out again: (1 - F)², [0, 1].
 /// What passes without absorption; the fibre's colour multiplies it. [Yu12 Eq. 2]
 ///
 /// `eta`: the fibre's index, (0, inf); hair 1.55. `sin_theta`: sine of the light's inclination from the plane at
 /// right angles to the fibre, [-1, 1]; at ±1 (along the fibre) and beyond, or NaN: 0.
-precise float pelage_fibre_attenuation(float eta, float sin_theta);
-
-// ---------------------------------------------------------------------------------------------------------
-
-precise float pelage_fresnel_dielectric(float cos_theta, float eta) {
-  const float cos_i = pelage_saturate(abs(cos_theta));
-  // eta² cos²θt = eta² - sin²θi, written so that nothing cancels at eta near 1 and grazing light.
-  const float contrast = (eta - 1.0) * (eta + 1.0);
-  const float inside2 = contrast + cos_i * cos_i;
-  if (!(inside2 > 0.0) || cos_i == 0.0) {
-    return 1.0;
-  }
-  const float inside = sqrt(inside2);
-  // Both amplitudes (a - b) / (a + b) as (a² - b²) / (a + b)²: the difference of squares is known without cancelling.
-  const float across = cos_i + inside;
-  const float along = eta * eta * cos_i + inside;
-  const float perpendicular = contrast / across / across;
-  const float parallel = contrast / along * ((eta * eta + 1.0) * cos_i * cos_i - 1.0) / along;
-  return pelage_saturate(0.5 * (perpendicular * perpendicular + parallel * parallel));
-}
-
 precise float pelage_fibre_attenuation(float eta, float sin_theta) {
-  const float cos_theta = pelage_safe_sqrt((1.0 - sin_theta) * (1.0 + sin_theta));
-  return pelage_sqr(1.0 - pelage_fresnel_dielectric(cos_theta, eta));
+  return pelage_sqr(
+      pelage_dielectric_interface(pelage_safe_sqrt((1.0 - sin_theta) * (1.0 + sin_theta)), eta).transmitted);
 }
 
 #endif

@@ -26,19 +26,31 @@ pelage_melanin pelage_melanin_of(int colour);
 
 /// σ_a for red, green, blue per fibre radius, linear in both concentrations. [d'Eon 2011 §6.1; constants of Chiang
 /// 2016]
-precise float[3] pelage_absorption_of(pelage_melanin pigment);
+precise float[3] pelage_absorption_of(pelage_melanin pigment) {
+  return float[3](0.419 * pigment.eumelanin + 0.187 * pigment.pheomelanin,
+                  0.697 * pigment.eumelanin + 0.4 * pigment.pheomelanin,
+                  1.37 * pigment.eumelanin + 1.05 * pigment.pheomelanin);
+}
 
 /// The pigment from an artist's controls. `amount` in [0, 1] is how much light it takes, evenly to the eye: 0 clear,
 /// 0.8 dark brown, 1 the black of concentration 40 (the concentration is -ln(max(1 - amount, e⁻⁴⁰))). `redness`
 /// in [0, 1] is the share of pheomelanin.
 precise pelage_melanin pelage_melanin_from_controls(float amount, float redness);
 
+/// The fit's exponent: √σ_a = -ln(colour) / fit.
+precise float pelage_albedo_fit(float beta_n) {
+  const float b = pelage_saturate(beta_n);
+  return ((((0.245 * b + 5.574) * b - 10.73) * b + 2.532) * b - 0.215) * b + 5.969;
+}
+
 /// σ_a of the fibre whose *mass* of hair has the albedo `colour`, [1e-4, 1], held there, by the fit to multiple
 /// scattering in a head of hair of azimuthal roughness β_n in [0, 1]. One fibre alone is brighter. [Chiang 2016 §4.2]
 precise float pelage_absorption_from_albedo(float colour, float beta_n);
 
 /// The albedo of a mass of such fibres: the inverse of absorption_from_albedo.
-precise float pelage_albedo_from_absorption(float sigma_a, float beta_n);
+precise float pelage_albedo_from_absorption(float sigma_a, float beta_n) {
+  return pelage_exponential(0.0 - pelage_safe_sqrt(sigma_a) * pelage_albedo_fit(beta_n));
+}
 
 /// The variance of M for a longitudinal roughness β_m that looks even to the eye, [0, 1]: [Chiang 2016 §4.1]
 /// (0.726 β + 0.812 β² + 3.7 β²⁰)². The R lobe's; TT has a quarter of it, TRT and the residual four times.
@@ -52,12 +64,6 @@ precise float pelage_azimuthal_scale(float beta_n);
 /// The roughness β_m whose lobe has the standard deviation `width` in radians, (0, 0.9]: the inverse of
 /// longitudinal_variance, for widths measured as in Marschner's model. Outside the range: the nearer end's roughness.
 precise float pelage_roughness_of_width(float width);
-
-/// The fit's exponent: √σ_a = -ln(colour) / fit.
-precise float pelage_albedo_fit(float beta_n) {
-  const float b = pelage_saturate(beta_n);
-  return ((((0.245 * b + 5.574) * b - 10.73) * b + 2.532) * b - 0.215) * b + 5.969;
-}
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -74,12 +80,6 @@ pelage_melanin pelage_melanin_of(int colour) {
   return pelage_melanin(8.0, 0.0);
 }
 
-precise float[3] pelage_absorption_of(pelage_melanin pigment) {
-  return float[3](0.419 * pigment.eumelanin + 0.187 * pigment.pheomelanin,
-                  0.697 * pigment.eumelanin + 0.4 * pigment.pheomelanin,
-                  1.37 * pigment.eumelanin + 1.05 * pigment.pheomelanin);
-}
-
 precise pelage_melanin pelage_melanin_from_controls(float amount, float redness) {
   const float left = pelage_greatest(1.0 - pelage_saturate(amount), 4.248354255e-18);
   const float concentration = 0.0 - pelage_natural_logarithm(left);
@@ -89,10 +89,6 @@ precise pelage_melanin pelage_melanin_from_controls(float amount, float redness)
 precise float pelage_absorption_from_albedo(float colour, float beta_n) {
   const float held = pelage_least(pelage_greatest(colour, 1e-4), 1.0);
   return pelage_sqr(pelage_natural_logarithm(held) / pelage_albedo_fit(beta_n));
-}
-
-precise float pelage_albedo_from_absorption(float sigma_a, float beta_n) {
-  return pelage_exponential(0.0 - pelage_safe_sqrt(sigma_a) * pelage_albedo_fit(beta_n));
 }
 
 precise float pelage_longitudinal_variance(float beta_m) {

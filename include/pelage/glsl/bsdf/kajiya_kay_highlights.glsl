@@ -24,7 +24,9 @@ struct pelage_highlight_shape {
 /// The diffuse reflectance of a fibre whose albedo is `kd`: kd/π², to be multiplied by sin(t, l) as the lobe of
 /// kajiya_kay() is. A fibre shows its width to the eye as sin(t, e), and ∫ sin(t, e) dω over the sphere is π², so that
 /// it sends out kd of the light that meets it, where the bare kd of Kajiya & Kay 1989, Eq. 14 sends π² times as much.
-precise float pelage_normalised_fibre_diffuse(float kd);
+precise float pelage_normalised_fibre_diffuse(float kd) {
+  return kd * 0.101321184;
+}
 
 /// Both highlights: cosᵖ(θ_i + θ_r - shift) with the inclinations of light and eye, 0 beyond 90°. The shifts are those
 /// of R and TRT in Marschner 2003, Table 1 and the widths those of two powers, after Scheuermann 2004; Kajiya & Kay's
@@ -44,10 +46,6 @@ float pelage_shifted_lobe(pelage_rotation sum, pelage_highlight_shape shape) {
 }
 
 // ---------------------------------------------------------------------------------------------------------
-
-precise float pelage_normalised_fibre_diffuse(float kd) {
-  return kd * 0.101321184;
-}
 
 pelage_double_highlight pelage_kajiya_kay_double(vec3 tangent, vec3 to_light, vec3 to_eye,
                                                  pelage_highlight_shape primary, pelage_highlight_shape secondary) {

@@ -45,12 +45,6 @@ struct pelage_inclination_pair {
 /// The exponent is formed as gap/v, where nothing cancels: relative error below 1e-6 · (1 + gap/v) in float.
 precise float pelage_evaluate_longitudinal(pelage_longitudinal_lobe lobe, pelage_inclination_pair pair);
 
-/// The sine of the sum of two inclinations, which keeps its digits where they nearly cancel: precise for exact sines.
-precise float pelage_sine_of_sum(float sin_a, float cos_a, float sin_b, float cos_b);
-
-/// 1 - cos x of an angle given by both, precise where x is small.
-precise float pelage_versine(pelage_rotation x);
-
 /// M of two inclinations given by sine and cosine.
 precise float pelage_evaluate_longitudinal(pelage_longitudinal_lobe lobe, float sin_i, float cos_i, float sin_o,
                                            float cos_o);
@@ -59,6 +53,23 @@ precise float pelage_evaluate_longitudinal(pelage_longitudinal_lobe lobe, float 
 /// so that the cosine is precise near the fibre's axis too. [d'Eon 2013; Jakob 2012]
 precise pelage_rotation pelage_sample_longitudinal(pelage_longitudinal_lobe lobe, float sin_o, float cos_o, float u,
                                                    float turn);
+
+/// The sine of the sum of two inclinations, which keeps its digits where they nearly cancel: precise for exact sines.
+precise float pelage_sine_of_sum(float sin_a, float cos_a, float sin_b, float cos_b) {
+  // sin(a + b) sin(a - b) = sin²a - sin²b: where the terms of the sum cancel, those of sin(a - b) do not.
+  const float first = sin_a * cos_b;
+  const float second = cos_a * sin_b;
+  const float cancels = pelage_select(first * second < 0.0, 1.0, 0.0);
+  const float difference = pelage_select(cancels > 0.0, first - second, 1.0);
+  const float quotient = (sin_a - sin_b) * (sin_a + sin_b) / difference;
+  return pelage_select(cancels > 0.0, quotient, first + second);
+}
+
+/// 1 - cos x of an angle given by both, precise where x is small.
+precise float pelage_versine(pelage_rotation x) {
+  const float acute = pelage_greatest(x.cosine, 0.0);
+  return pelage_select(x.cosine > 0.0, x.sine * x.sine / (1.0 + acute), 1.0 - x.cosine);
+}
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -81,21 +92,6 @@ precise float pelage_evaluate_longitudinal(pelage_longitudinal_lobe lobe, pelage
   const float argument = pair.cosine_product * lobe.concentration;
   const pelage_bessel_i0_parts i0 = pelage_bessel_i0(argument);
   return pelage_exponential((i0.growth - argument) - pair.gap * lobe.concentration) * i0.value * lobe.height;
-}
-
-precise float pelage_sine_of_sum(float sin_a, float cos_a, float sin_b, float cos_b) {
-  // sin(a + b) sin(a - b) = sin²a - sin²b: where the terms of the sum cancel, those of sin(a - b) do not.
-  const float first = sin_a * cos_b;
-  const float second = cos_a * sin_b;
-  const float cancels = pelage_select(first * second < 0.0, 1.0, 0.0);
-  const float difference = pelage_select(cancels > 0.0, first - second, 1.0);
-  const float quotient = (sin_a - sin_b) * (sin_a + sin_b) / difference;
-  return pelage_select(cancels > 0.0, quotient, first + second);
-}
-
-precise float pelage_versine(pelage_rotation x) {
-  const float acute = pelage_greatest(x.cosine, 0.0);
-  return pelage_select(x.cosine > 0.0, x.sine * x.sine / (1.0 + acute), 1.0 - x.cosine);
 }
 
 precise float pelage_evaluate_longitudinal(pelage_longitudinal_lobe lobe, float sin_i, float cos_i, float sin_o,

@@ -42,7 +42,10 @@ struct pelage_marschner_result {
 };
 
 /// The values that the paper takes for hair: η 1.55, α -0.12 (7°), β 0.13 (7.5°), round, caustic 0.26, 0.5, 1, 0.3.
-pelage_marschner_parameters pelage_common_marschner_parameters(float sigma_a[3]);
+pelage_marschner_parameters pelage_common_marschner_parameters(float sigma_a[3]) {
+  return pelage_marschner_parameters(1.55, sigma_a, -0.12, 0.13, 1.0,
+                                     pelage_caustic_treatment(true, 0.26, 0.5, 1.0, 0.3));
+}
 
 /// What the azimuthal part needs of θ_d: Bravais indices and the length of inner paths.
 struct pelage_fibre_section {
@@ -55,47 +58,12 @@ struct pelage_fibre_section {
 /// The section of a fibre of index eta at a difference angle; cos θ_d is clamped to at least 1e-6.
 precise pelage_fibre_section pelage_make_fibre_section(float eta, float theta_d);
 
-/// A(p, h): what is left of light on path p, for one channel: F, or (1 - F)² F^(p-1) Tᵖ. [Marschner 2003 Eq. 8]
-precise float pelage_path_attenuation(pelage_fibre_section section, int path, float sin_gamma, float cos_gamma,
-                                      float sigma_a);
-
-/// N_p(θ_d, φ) per radian and channel by summing A/|2 dφ/dh| over the path's roots, no caustic treatment; 0 without
-/// roots. ∫ N_p dφ is ½ ∫ A(p, h) dh.
-precise float[3] pelage_bare_azimuthal(pelage_fibre_section section, int path, float phi, float sigma_a[3]);
-
-/// N_TRT with its caustic faded out and a Gaussian of the same energy put in. [Marschner 2003 App. B]
-precise float[3] pelage_smooth_trt(pelage_fibre_section section, float phi, float sigma_a[3],
-                                   pelage_caustic_treatment caustic);
-
-/// The index that makes a round fibre refract like an elliptic one lit at the azimuth φ_h from its long axis.
-/// `ratio` a: of the axes, (0, inf), 1 gives eta. [Marschner 2003 §5.2.3]
-precise float pelage_eccentric_index(float eta, float ratio, float phi_h);
-
-/// A Gaussian of unit integral.
-precise float pelage_gaussian(float x, float deviation);
-
 /// The whole model. `theta_i`, `theta_r` in [-π/2, π/2], `phi` any, `phi_h` = (φ_i + φ_r)/2 from the section's long
 /// axis, of no effect on a round fibre. Float within 2e-5 of double where values exceed 1e-6 and |dφ/dh| ≥ 0.2.
 precise pelage_marschner_result pelage_evaluate_marschner(pelage_marschner_parameters parameters, float theta_i,
                                                           float theta_r, float phi, float phi_h);
 
-// ---------------------------------------------------------------------------------------------------------
-
-pelage_marschner_parameters pelage_common_marschner_parameters(float sigma_a[3]) {
-  return pelage_marschner_parameters(1.55, sigma_a, -0.12, 0.13, 1.0,
-                                     pelage_caustic_treatment(true, 0.26, 0.5, 1.0, 0.3));
-}
-
-precise pelage_fibre_section pelage_make_fibre_section(float eta, float theta_d) {
-  const pelage_rotation angle = pelage_rotation_by(theta_d);
-  const float cosine = pelage_greatest(angle.cosine, 1e-6);
-  // η′² = 1 + (η² - 1)/cos²θ_d: a sum of positive terms.
-  const float excess = (eta - 1.0) * (eta + 1.0) / (cosine * cosine);
-  const float eta_perpendicular = pelage_square_root(1.0 + excess);
-  return pelage_fibre_section(eta_perpendicular, eta * eta / eta_perpendicular, excess,
-                              eta / (eta_perpendicular * cosine));
-}
-
+/// A(p, h): what is left of light on path p, for one channel: F, or (1 - F)² F^(p-1) Tᵖ. [Marschner 2003 Eq. 8]
 precise float pelage_path_attenuation(pelage_fibre_section section, int path, float sin_gamma, float cos_gamma,
                                       float sigma_a) {
   const float sin_inside = sin_gamma / section.eta_perpendicular;
@@ -108,6 +76,8 @@ precise float pelage_path_attenuation(pelage_fibre_section section, int path, fl
   return path == 0 ? surface.reflected : passed * inner;
 }
 
+/// N_p(θ_d, φ) per radian and channel by summing A/|2 dφ/dh| over the path's roots, no caustic treatment; 0 without
+/// roots. ∫ N_p dφ is ½ ∫ A(p, h) dh.
 precise float[3] pelage_bare_azimuthal(pelage_fibre_section section, int path, float phi, float sigma_a[3]) {
   const pelage_scattering_roots roots = pelage_find_scattering_roots(path, phi, section.excess);
   float sum[3] = float[3](0.0, 0.0, 0.0);
@@ -123,11 +93,13 @@ precise float[3] pelage_bare_azimuthal(pelage_fibre_section section, int path, f
   return sum;
 }
 
+/// A Gaussian of unit integral.
 precise float pelage_gaussian(float x, float deviation) {
   const float z = x / deviation;
   return pelage_exponential(-0.5 * z * z) * (0.398942280401432678 / deviation);
 }
 
+/// N_TRT with its caustic faded out and a Gaussian of the same energy put in. [Marschner 2003 App. B]
 precise float[3] pelage_smooth_trt(pelage_fibre_section section, float phi, float sigma_a[3],
                                    pelage_caustic_treatment caustic) {
   const float eta = section.eta_perpendicular;
@@ -152,10 +124,33 @@ precise float[3] pelage_smooth_trt(pelage_fibre_section section, float phi, floa
   return value;
 }
 
+/// N_TRT, its caustic as the treatment says.
+float[3] pelage_treated_trt(pelage_fibre_section section, float phi, float sigma_a[3],
+                            pelage_caustic_treatment caustic) {
+  if (caustic.smoothed) {
+    return pelage_smooth_trt(section, phi, sigma_a, caustic);
+  }
+  return pelage_bare_azimuthal(section, 2, phi, sigma_a);
+}
+
+/// The index that makes a round fibre refract like an elliptic one lit at the azimuth φ_h from its long axis.
+/// `ratio` a: of the axes, (0, inf), 1 gives eta. [Marschner 2003 §5.2.3]
 precise float pelage_eccentric_index(float eta, float ratio, float phi_h) {
   const float along = 2.0 * (eta - 1.0) * ratio * ratio - eta + 2.0;
   const float across = 2.0 * (eta - 1.0) / (ratio * ratio) - eta + 2.0;
   return 0.5 * ((along + across) + pelage_rotation_by(2.0 * pelage_wrapped_angle(phi_h)).cosine * (along - across));
+}
+
+// ---------------------------------------------------------------------------------------------------------
+
+precise pelage_fibre_section pelage_make_fibre_section(float eta, float theta_d) {
+  const pelage_rotation angle = pelage_rotation_by(theta_d);
+  const float cosine = pelage_greatest(angle.cosine, 1e-6);
+  // η′² = 1 + (η² - 1)/cos²θ_d: a sum of positive terms.
+  const float excess = (eta - 1.0) * (eta + 1.0) / (cosine * cosine);
+  const float eta_perpendicular = pelage_square_root(1.0 + excess);
+  return pelage_fibre_section(eta_perpendicular, eta * eta / eta_perpendicular, excess,
+                              eta / (eta_perpendicular * cosine));
 }
 
 precise pelage_marschner_result pelage_evaluate_marschner(pelage_marschner_parameters parameters, float theta_i,
@@ -171,11 +166,7 @@ precise pelage_marschner_result pelage_evaluate_marschner(pelage_marschner_param
   result.azimuthal[1] = pelage_bare_azimuthal(section, 1, phi, parameters.sigma_a);
   const float bent = pelage_greatest(pelage_eccentric_index(parameters.eta, parameters.eccentricity, phi_h), 1.0);
   const pelage_fibre_section bent_section = pelage_make_fibre_section(bent, theta_d);
-  if (parameters.caustic.smoothed) {
-    result.azimuthal[2] = pelage_smooth_trt(bent_section, phi, parameters.sigma_a, parameters.caustic);
-  } else {
-    result.azimuthal[2] = pelage_bare_azimuthal(bent_section, 2, phi, parameters.sigma_a);
-  }
+  result.azimuthal[2] = pelage_treated_trt(bent_section, phi, parameters.sigma_a, parameters.caustic);
   const float cosine = pelage_greatest(pelage_rotation_by(theta_d).cosine, 1e-6);
   for (uint c = 0u; c < 3u; ++c) {
     float sum = 0.0;

@@ -17,7 +17,9 @@ precise float pelage_order_weight(float alpha, float order);
 
 /// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum optical_depth(alpha), and so
 /// know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
-precise float pelage_optical_weight(float alpha, float optical);
+precise float pelage_optical_weight(float alpha, float optical) {
+  return pelage_saturate(alpha) * pelage_fast_exp2(-optical * (1.0 / 1048576.0));
+}
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -27,10 +29,6 @@ precise float pelage_order_weight(float alpha, float order) {
     return order > 0.0 ? 0.0 : 1.0;
   }
   return held * pelage_fast_exp2(order * pelage_fast_log2(1.0 - held));
-}
-
-precise float pelage_optical_weight(float alpha, float optical) {
-  return pelage_saturate(alpha) * pelage_fast_exp2(-optical * (1.0 / 1048576.0));
 }
 
 #endif

@@ -5,18 +5,12 @@
 #define PELAGE_COMPOSITE_OVER_GLSL
 
 /// A colour and its alpha as a premultiplied one. `alpha`: [0, 1].
-precise vec4 pelage_premultiply(vec3 colour, float alpha);
-
-/// `front` over `back`, both premultiplied: what is seen of both. Associative except for rounding; a transparent
-/// black is the identity. An opaque front hides any finite back.
-precise vec4 pelage_over(vec4 front, vec4 back);
-
-// ---------------------------------------------------------------------------------------------------------
-
 precise vec4 pelage_premultiply(vec3 colour, float alpha) {
   return vec4(colour * alpha, alpha);
 }
 
+/// `front` over `back`, both premultiplied: what is seen of both. Associative except for rounding; a transparent
+/// black is the identity. An opaque front hides any finite back.
 precise vec4 pelage_over(vec4 front, vec4 back) {
   return front + (1.0 - front.w) * back;
 }

@@ -15,7 +15,9 @@ struct pelage_pixel_radiance {
 };
 
 /// A pixel with nothing in it.
-pelage_pixel_radiance pelage_empty_pixel();
+pelage_pixel_radiance pelage_empty_pixel() {
+  return pelage_pixel_radiance(vec3(0.0), vec3(1.0));
+}
 
 /// The pixel with one more fibre behind the others. `scattered` L: what the fibre sends to the eye, linear RGB.
 /// `attenuation` A and `coverage` C as in transmittance(). O(1).
@@ -23,23 +25,17 @@ precise pelage_pixel_radiance pelage_add_fibre(pelage_pixel_radiance pixel, vec3
                                                float coverage);
 
 /// What is seen of the pixel in front of a background, linear RGB.
-precise vec3 pelage_resolve(pelage_pixel_radiance pixel, vec3 background);
+precise vec3 pelage_resolve(pelage_pixel_radiance pixel, vec3 background) {
+  return pixel.radiance + pixel.transmittance * background;
+}
 
 // ---------------------------------------------------------------------------------------------------------
-
-pelage_pixel_radiance pelage_empty_pixel() {
-  return pelage_pixel_radiance(vec3(0.0), vec3(1.0));
-}
 
 precise pelage_pixel_radiance pelage_add_fibre(pelage_pixel_radiance pixel, vec3 scattered, vec3 attenuation,
                                                float coverage) {
   const vec3 stopped = (1.0 - attenuation) * coverage;
   return pelage_pixel_radiance(pixel.radiance + pixel.transmittance * stopped * scattered,
                                pixel.transmittance * pelage_transmittance(attenuation, coverage));
-}
-
-precise vec3 pelage_resolve(pelage_pixel_radiance pixel, vec3 background) {
-  return pixel.radiance + pixel.transmittance * background;
 }
 
 #endif

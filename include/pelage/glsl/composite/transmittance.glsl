@@ -9,17 +9,11 @@
 ///
 /// `attenuation` A: the part of the light that passes where the fibre is hit, [0, 1]; 1 - opacity for a grey fibre.
 /// `coverage` C: the share of the pixel that it covers, [0, 1]. A = 1 or C = 0 gives exactly 1, C = 1 exactly A.
-precise vec3 pelage_transmittance(vec3 attenuation, float coverage);
-
-/// The same for a grey attenuation.
-precise float pelage_transmittance(float attenuation, float coverage);
-
-// ---------------------------------------------------------------------------------------------------------
-
 precise vec3 pelage_transmittance(vec3 attenuation, float coverage) {
   return attenuation * coverage + (1.0 - coverage);
 }
 
+/// The same for a grey attenuation.
 precise float pelage_transmittance(float attenuation, float coverage) {
   return attenuation * coverage + (1.0 - coverage);
 }

@@ -15,7 +15,9 @@ struct pelage_fragment {
 };
 
 /// The fragment that stands for none: behind every other one, an id that no primitive has.
-pelage_fragment pelage_no_fragment();
+pelage_fragment pelage_no_fragment() {
+  return pelage_fragment(uintBitsToFloat(0x7f800000u), 0xffffffffu);
+}
 
 /// False for what every structure refuses: a NaN depth, or the id of no_fragment().
 bool pelage_is_fragment(pelage_fragment f);
@@ -24,21 +26,19 @@ bool pelage_is_fragment(pelage_fragment f);
 /// floats: denormals count on machines that flush them, too, and a NaN lies beyond the infinity of its sign.
 bool pelage_before(pelage_fragment a, pelage_fragment b);
 
-/// True if both are the same fragment: neither is before the other.
-bool pelage_same(pelage_fragment a, pelage_fragment b);
-
 /// An unsigned number that orders as the depth does: key(a) < key(b) exactly when a < b. -0 and +0 share a
 /// key, infinities are ordinary, denormals count. NaN has a key outside [key(-inf), key(+inf)].
 uint pelage_depth_key(float depth);
+
+/// True if both are the same fragment: neither is before the other.
+bool pelage_same(pelage_fragment a, pelage_fragment b) {
+  return pelage_depth_key(a.depth) == pelage_depth_key(b.depth) && a.id == b.id;
+}
 
 /// The depth whose key this is; the inverse of depth_key except for the sign of zero.
 float pelage_depth_from_key(uint key);
 
 // ---------------------------------------------------------------------------------------------------------
-
-pelage_fragment pelage_no_fragment() {
-  return pelage_fragment(uintBitsToFloat(0x7f800000u), 0xffffffffu);
-}
 
 bool pelage_is_fragment(pelage_fragment f) {
   const uint magnitude = floatBitsToUint(f.depth) & 0x7fffffffu;
@@ -49,10 +49,6 @@ bool pelage_before(pelage_fragment a, pelage_fragment b) {
   const uint key_a = pelage_depth_key(a.depth);
   const uint key_b = pelage_depth_key(b.depth);
   return key_a < key_b || (key_a == key_b && a.id < b.id);
-}
-
-bool pelage_same(pelage_fragment a, pelage_fragment b) {
-  return pelage_depth_key(a.depth) == pelage_depth_key(b.depth) && a.id == b.id;
 }
 
 uint pelage_depth_key(float depth) {

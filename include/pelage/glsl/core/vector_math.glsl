@@ -10,31 +10,21 @@
 /// too. A driver may fuse the built-in ones, which then leave 2e-8 of a × a and lose digits where sums cancel.
 
 /// a · b.
-precise float pelage_dot_product(vec3 a, vec3 b);
-
-/// a × b; exactly 0 for a × a.
-precise vec3 pelage_cross_product(vec3 a, vec3 b);
-
-/// |v|, within 2 ulp where its square neither overflows nor underflows.
-float pelage_vector_length(vec3 v);
-
-/// v/|v|, a length of 1 within 2 ulp; 0 gives NaN.
-precise vec3 pelage_unit_vector(vec3 v);
-
-// ---------------------------------------------------------------------------------------------------------
-
 precise float pelage_dot_product(vec3 a, vec3 b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// a × b; exactly 0 for a × a.
 precise vec3 pelage_cross_product(vec3 a, vec3 b) {
   return vec3(a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y);
 }
 
+/// |v|, within 2 ulp where its square neither overflows nor underflows.
 float pelage_vector_length(vec3 v) {
   return pelage_square_root(pelage_dot_product(v, v));
 }
 
+/// v/|v|, a length of 1 within 2 ulp; 0 gives NaN.
 precise vec3 pelage_unit_vector(vec3 v) {
   return v * (1.0 / pelage_square_root(pelage_dot_product(v, v)));
 }

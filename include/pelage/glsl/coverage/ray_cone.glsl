@@ -13,24 +13,16 @@ struct pelage_ray_cone {
 
 /// The cone of a perspective camera's pixel: the disc touches the pixel's sides. `tan_half_fov`: tangent of half
 /// the vertical field of view, (0, inf). `height`: pixels from bottom to top, [1, inf).
-precise pelage_ray_cone pelage_perspective_cone(float tan_half_fov, int height);
-
-/// The cylinder of an orthographic map's texel: `extent` length units across `texels` texels, [1, inf).
-precise pelage_ray_cone pelage_orthographic_cone(float extent, int texels);
-
-/// The disc's radius at a view depth (along the axis of view, not along the ray). Depths behind the eye count as 0.
-precise float pelage_radius_at(pelage_ray_cone cone, float depth);
-
-// ---------------------------------------------------------------------------------------------------------
-
 precise pelage_ray_cone pelage_perspective_cone(float tan_half_fov, int height) {
   return pelage_ray_cone(0.0, tan_half_fov / float(height));
 }
 
+/// The cylinder of an orthographic map's texel: `extent` length units across `texels` texels, [1, inf).
 precise pelage_ray_cone pelage_orthographic_cone(float extent, int texels) {
   return pelage_ray_cone(0.5 * extent / float(texels), 0.0);
 }
 
+/// The disc's radius at a view depth (along the axis of view, not along the ray). Depths behind the eye count as 0.
 precise float pelage_radius_at(pelage_ray_cone cone, float depth) {
   return cone.base + cone.slope * (depth > 0.0 ? depth : 0.0);
 }

@@ -28,32 +28,26 @@ precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fi
                                                   float near_plane, float margin);
 
 /// What the fibre and the margin take up round a point of the axis at this view depth.
-precise float pelage_reach_at(float depth, float fibre_radius, pelage_ray_cone cone, float margin);
-
-/// How much farther the cone of sight that touches a ball reaches beside the ball's centre than the ball itself.
-/// `reach`: the ball's radius over the distance of its centre from the eye, [0, 1); from there on: 1000.
-precise float pelage_tangent_stretch(float reach);
-
-/// A unit vector at right angles to a unit vector.
-precise vec3 pelage_any_normal(vec3 direction);
-
-// ---------------------------------------------------------------------------------------------------------
-
 precise float pelage_reach_at(float depth, float fibre_radius, pelage_ray_cone cone, float margin) {
   // A pixel's disc may lie deeper than the point it touches by up to this very reach, and is the wider for it.
   return (fibre_radius + 2.0 * margin * pelage_radius_at(cone, depth)) / (1.0 - cone.slope);
 }
 
+/// How much farther the cone of sight that touches a ball reaches beside the ball's centre than the ball itself.
+/// `reach`: the ball's radius over the distance of its centre from the eye, [0, 1); from there on: 1000.
 precise float pelage_tangent_stretch(float reach) {
   const float cosine2 = (1.0 - reach) * (1.0 + reach);
   return cosine2 > 1e-6 ? 1.0 / sqrt(cosine2) : 1000.0;
 }
 
+/// A unit vector at right angles to a unit vector.
 precise vec3 pelage_any_normal(vec3 direction) {
   const bool along_x = direction.x * direction.x > 0.5;
   const vec3 other = along_x ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
   return pelage_unit_vector(pelage_cross_product(direction, other));
 }
+
+// ---------------------------------------------------------------------------------------------------------
 
 precise pelage_segment_quad pelage_expand_segment(vec3 start, vec3 end, float fibre_radius, pelage_ray_cone cone,
                                                   float near_plane, float margin) {
