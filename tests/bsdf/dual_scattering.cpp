@@ -5,6 +5,7 @@
 
 #include <property.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -186,4 +187,23 @@ TEST_CASE("a table looks up what it was filled with, between its entries and at 
         doctest::Approx(0.5 * (table[2].backward.y + table[3].backward.y)).epsilon(1e-12));
   CHECK(look_up_dual_scattering(view, pi / 2).forward.x == table[15].forward.x);
   CHECK(look_up_dual_scattering(view, -pi / 2).forward.x == table[0].forward.x);
+}
+
+TEST_CASE("Marschner's model sends out more light than it takes, as much as is said") {
+  const auto most_sent = [](double eta, double beta, double alpha) {
+    marschner_fibre_model<double> model = {common_marschner_parameters<double>({0.0, 0.0, 0.0})};
+    model.parameters.eta = eta;
+    model.parameters.beta = beta;
+    model.parameters.alpha = alpha;
+    double most = 0.0;
+    for (const double theta : {0.0, 0.5, 1.0, 1.1, 1.4}) {
+      const auto averages = average_fibre<double>(model, theta, 200, 40);
+      most = std::max(most, averages.forward[0] + averages.backward[0]);
+    }
+    return most;
+  };
+  CHECK(most_sent(1.55, 0.05, -0.17) == doctest::Approx(1.095).epsilon(0.01));
+  CHECK(most_sent(1.55, 0.02, -0.17) < 1.11);
+  CHECK(most_sent(1.8, 0.3, 0.0) > 0.87);
+  CHECK(most_sent(1.2, 0.05, -0.17) < 1.24);
 }

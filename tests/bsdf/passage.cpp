@@ -4,8 +4,10 @@
 #include <pelage/bsdf/passage.hpp>
 #include <bsdf/sphere.hpp>
 
-#include <doctest/doctest.h>
+#include <property.hpp>
+#include <sweep.hpp>
 
+#include <array>
 #include <cmath>
 
 using namespace pelage;
@@ -33,15 +35,32 @@ TEST_CASE("through the axis a clear fibre passes fibre_attenuation()") {
   }
 }
 
-TEST_CASE("four panels are within 1e-3 of many, two within 4e-3, and more absorption passes less") {
+TEST_CASE("two panels are within 7.5e-3 of many, four within 2e-3, eight within 5e-4, whatever the fibre") {
+  test::worst_case two, four, eight;
+  const auto see = [&](double eta, double sigma, double sine) {
+    const std::array<double, 3> one = {sigma, sigma, sigma};
+    const double many = mean_passage<64>(eta, one, sine)[0];
+    two.see(std::abs(mean_passage<2>(eta, one, sine)[0] - many), {eta, sigma, sine});
+    four.see(std::abs(mean_passage<4>(eta, one, sine)[0] - many), {eta, sigma, sine});
+    eight.see(std::abs(mean_passage<8>(eta, one, sine)[0] - many), {eta, sigma, sine});
+  };
+  see(1.15291, 0.0, 0.028);
+  for (int i = 0; i < 6000; ++i) {
+    const auto [u, v, w] = test::even_point<3>(i);
+    const double eta = i % 2 == 0 ? 1.0 + 0.3 * u : 1.0 + 2.0 * u;
+    const double sigma = i % 3 == 0 ? 0.0 : test::on_log_scale(v, 1e-3, 1e3);
+    see(eta, sigma, i % 5 == 0 ? 1.0 - test::on_log_scale(w, 1e-6, 1.0) : 2.0 * w - 1.0);
+  }
+  CHECK_MESSAGE(two.error < 7.5e-3, two);
+  CHECK_MESSAGE(four.error < 2e-3, four);
+  CHECK_MESSAGE(eight.error < 5e-4, eight);
+}
+
+TEST_CASE("more absorption passes less") {
   double last = 1.0;
   for (const double sigma : {0.0, 0.3, 1.0, 3.0}) {
-    const double two = mean_passage<2>(1.55, std::array<double, 3>{sigma, sigma, sigma}, 0.4)[0];
-    const double many = mean_passage<64>(1.55, std::array<double, 3>{sigma, sigma, sigma}, 0.4)[0];
-    const double four = mean_passage<4>(1.55, std::array<double, 3>{sigma, sigma, sigma}, 0.4)[0];
-    CHECK(std::abs(two - many) < 4e-3);
-    CHECK(std::abs(four - many) < 1e-3);
-    CHECK(many < last);
-    last = many;
+    const double passed = mean_passage<4>(1.55, std::array<double, 3>{sigma, sigma, sigma}, 0.4)[0];
+    CHECK(passed < last);
+    last = passed;
   }
 }

@@ -3,6 +3,7 @@
 #include <pelage/bsdf/scattering_roots.hpp>
 
 #include <property.hpp>
+#include <sweep.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -112,6 +113,42 @@ TEST_CASE("dφ/dh is the derivative of φ, near the caustic as elsewhere") {
       const double difference = (azimuth(path, h + step, 1.55) - azimuth(path, h - step, 1.55)) / (2.0 * step);
       CHECK(azimuth_derivative(path, h, 1.55) == doctest::Approx(difference).epsilon(1e-6).scale(0.1));
     }
+  }
+}
+
+/// The worst error of a root of one precision against a wider one, by the bound that is promised for TRT: as a share of
+/// max(1, 0.6/√excess)/min(1, |dφ/dh|); of the other paths' roots as it is.
+template <class Narrow, class Wide>
+void see_roots(int path, double phi, double excess, test::worst_case& worst) {
+  const auto narrow_phi = static_cast<Narrow>(phi);
+  const auto narrow_excess = static_cast<Narrow>(excess);
+  const auto found = find_scattering_roots<Narrow>(path, narrow_phi, narrow_excess);
+  const auto expected = find_scattering_roots<Wide>(path, narrow_phi, narrow_excess);
+  if (found.count != expected.count) return;  // by the caustic or the edge
+  for (std::uint32_t k = 0; k < found.count; ++k) {
+    const auto& root = expected.root[k];
+    const double steep = static_cast<double>(std::abs(2 * root.slope / root.cosine));
+    if (!(steep >= 0.2)) continue;
+    const double error = static_cast<double>(std::abs(static_cast<Wide>(found.root[k].sine) - root.sine));
+    const double allowed = path == 2 ? std::max(1.0, 0.6 / std::sqrt(excess)) / std::min(1.0, steep) : 1.0;
+    worst.see(error / allowed, {phi, excess});
+  }
+}
+
+TEST_CASE("roots keep their digits over every index, in float and in double") {
+  for (int path = 0; path <= 2; ++path) {
+    test::worst_case narrow;
+    test::worst_case wide;
+    see_roots<float, double>(path, -0x1.6625e4p-7, 0x1.ea2b84p-8, narrow);
+    for (int i = 0; i < 60000; ++i) {
+      const auto [u, v] = test::even_point<2>(i);
+      const double phi = (2.0 * u - 1.0) * (i % 2 == 0 ? 3.1415 : 0.9);  // at ±π two roots are one
+      const double excess = test::on_log_scale(v, 1e-4, 1000.0);
+      see_roots<float, double>(path, phi, excess, narrow);
+      if (i % 4 == 0) see_roots<double, long double>(path, phi, excess, wide);
+    }
+    CHECK_MESSAGE(narrow.error < (path == 2 ? 1e-6 : 2e-7), narrow);
+    CHECK_MESSAGE(wide.error < 2e-15, wide);
   }
 }
 

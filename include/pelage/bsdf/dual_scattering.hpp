@@ -25,8 +25,8 @@ namespace pelage {
 /// What a fibre does on average to light of one inclination; colours are per channel.
 template <std::floating_point Real>
 struct dual_averages {
-  glm::vec<3, Real> forward;            ///< ā_f: the share that goes on, [0, 1)
-  glm::vec<3, Real> backward;           ///< ā_b: the share that turns back, [0, 1)
+  glm::vec<3, Real> forward;            ///< ā_f: the share that goes on, [0, 1) if the model keeps energy
+  glm::vec<3, Real> backward;           ///< ā_b: the share that turns back, in the same way
   glm::vec<3, Real> forward_shift;      ///< ᾱ_f: mean of θ_h = (θ_i + θ_r)/2 of what goes on, radians
   glm::vec<3, Real> backward_shift;     ///< ᾱ_b
   glm::vec<3, Real> forward_variance;   ///< β̄_f²: variance of θ_h of what goes on

@@ -16,13 +16,15 @@
 namespace pelage {
 
 /// A model of one fibre: the share of light that it sends from inclination θ_i to (θ_r, φ), per steradian and channel.
-/// ∫ e dω over the directions (θ_r, φ) is at most 1. Symmetric in φ.
+/// ∫ e dω over the directions (θ_r, φ) is at most 1 for a model that keeps energy. Symmetric in φ.
 template <class Model, class Real>
 concept fibre_model = requires(const Model& model, Real angle) {
   { model(angle, angle, angle) } -> std::same_as<glm::vec<3, Real>>;
 };
 
-/// Marschner's model in shares of light: ½ S cos θ_r.
+/// Marschner's model in shares of light: ½ S cos θ_r. It does not keep energy, since M is a Gaussian whatever the
+/// inclination: without absorption a fibre of η in [1.55, 1.8] and β in [0.02, 0.3] sends out 0.87 to 1.11 of the light
+/// of the worst inclination for α to -0.17, one of η 1.2 up to 1.24.
 template <std::floating_point Real>
 struct marschner_fibre_model {
   marschner_parameters<Real> parameters;
