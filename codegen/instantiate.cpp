@@ -46,6 +46,7 @@
 #include <pelage/core/vector_math.hpp>
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
+#include <pelage/coverage/joint.hpp>
 #include <pelage/coverage/line_width.hpp>
 #include <pelage/coverage/ray_cone.hpp>
 #include <pelage/coverage/segment_quad.hpp>
@@ -110,6 +111,8 @@ template rotation<float> turned_back(const rotation<float>&, const rotation<floa
 template closest_pair<float> closest_points(const vec3&, const vec3&, const vec3&, const vec3&) noexcept;
 template float disc_strip_share(float, float, float) noexcept;
 template float cap_share(float) noexcept;
+template float owned_by_segment(const strand_joint<float>&, const strand_joint<float>&, const glm::vec2&) noexcept;
+template float past_joint(const strand_joint<float>&, const glm::vec2&) noexcept;
 template float diagonal_ratio(const glm::vec2&) noexcept;
 template float line_width_share(const glm::vec2&, float, float) noexcept;
 template ray_cone<float> perspective_cone(float, int) noexcept;

@@ -11,6 +11,7 @@
 #include <pelage/core/vector_math.hpp>
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
+#include <pelage/coverage/joint.hpp>
 #include <pelage/coverage/line_width.hpp>
 #include <pelage/coverage/ray_cone.hpp>
 #include <pelage/coverage/segment_quad.hpp>
@@ -108,6 +109,11 @@ TEST_CASE("Coverage agrees within the stated ulps") {
               out.put(cone.base);
               out.put(cylinder.slope);
               out.put(tangent_stretch(0.5F * in.f(14)));
+              const strand_joint<float> first{{in.f(0), in.f(1)}, {in.f(3), in.f(4)}};
+              const strand_joint<float> second{{in.f(6), in.f(7)}, {in.f(9), in.f(10)}};
+              const glm::vec2 pixel(in.f(14), in.f(12));
+              out.put(past_joint(first, pixel));
+              out.put(owned_by_segment(first, second, pixel));
             },
             {{"closest_points along_ray", 1, 0, 80, 1.0F},
              {"closest_points along_segment", 1, 0, 80, 1.0F},
@@ -125,7 +131,9 @@ TEST_CASE("Coverage agrees within the stated ulps") {
              {"expand_segment corners", 12, 0, 80},
              {"perspective_cone base", 1, 0, 0},
              {"orthographic_cone slope", 1, 0, 0},
-             {"tangent_stretch", 1, 0, 8}});
+             {"tangent_stretch", 1, 0, 8},
+             {"past_joint", 1, 0, 0},
+             {"owned_by_segment", 1, 0, 0}});
   });
 }
 

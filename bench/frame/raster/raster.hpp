@@ -107,8 +107,7 @@ inline pixel_fragment raster::at(std::uint32_t segment, int x, int y) const {
   const std::uint32_t i = fibres_.segment[segment];
   const projected& a = point_[i];
   const projected& b = point_[i + 1];
-  const auto found =
-      look_at(a, b, seen_end_on(a, b), static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, view_, antialias_);
+  const auto found = look_at(a, b, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, view_, antialias_);
   return {segment, found.depth, found.coverage, found.along};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
+#include <pelage/coverage/joint.hpp>
 
 #include "frame/raster/outline.hpp"
 #include "frame/scene/view.hpp"
@@ -16,29 +17,16 @@ struct segment_in_pixel {
   Real depth, coverage, along;
 };
 
-/// 1 for a segment that the view sees end on, so that the joints at its ends have no direction; else 0.
-template <class Real>
-[[nodiscard, gnu::always_inline]] inline Real seen_end_on(const projected_point<Real>& start,
-                                                          const projected_point<Real>& end) {
-  const Real any_joint =
-      absolute(start.joint_x) + absolute(start.joint_y) + absolute(end.joint_x) + absolute(end.joint_y);
-  return select(any_joint > Real(0.0F), Real(0.0F), Real(1.0F));
-}
-
-/// What it leaves where the pixel's centre is (x, y); `end_on`: seen_end_on() of its ends. A pixel belongs to the
-/// segment that lies between the lines through its two joints, on the first but not on the second; one seen end on has
-/// no such lines and owns all that it reaches.
+/// What it leaves where the pixel's centre is (x, y), in the pixels that are owned_by_segment(); elsewhere coverage 0.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline segment_in_pixel<Real> look_at(const projected_point<Real>& start,
-                                                                        const projected_point<Real>& end, Real end_on,
-                                                                        Real x, Real y, const view& from,
-                                                                        bool antialias) {
+                                                                        const projected_point<Real>& end, Real x,
+                                                                        Real y, const view& from, bool antialias) {
   const Real zero(0.0F);
-  const auto past = [&](const projected_point<Real>& p) {
-    return (x - p.pixel_x) * p.joint_x + (y - p.pixel_y) * p.joint_y;
+  const auto joint = [](const projected_point<Real>& p) {
+    return strand_joint<Real>{{p.pixel_x, p.pixel_y}, {p.joint_x, p.joint_y}};
   };
-  const auto behind_start = past(start) < zero;
-  const auto before_end = past(end) < end_on;
+  const Real owned = owned_by_segment(joint(start), joint(end), {x, y});
 
   const ray_from<Real> ray = from.ray(x, y);
   const closest_pair<Real> pair =
@@ -54,7 +42,7 @@ template <class Real>
   const Real axis_depth = zero - (start.z + pair.along_segment * (end.z - start.z));
   const Real near_plane(from.near_plane);
   share = select(pair.along_ray < near_plane, zero, select(axis_depth < near_plane, zero, share));
-  share = select(behind_start, zero, select(before_end, share, zero));
+  share = select(owned > zero, share, zero);
   return {pair.along_ray, share, pair.along_segment};
 }
 

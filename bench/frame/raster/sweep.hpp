@@ -67,7 +67,6 @@ class raster::sweep {
   pixel_rect clip_;
   integers number_;  ///< of each segment
   projected_point<pack> start_, end_;
-  pack end_on_;  ///< 1 where the segment is seen end on, else 0
   alignas(64) std::array<int, capacity + width> waiting_;
   int count_ = 0;
 };
@@ -176,7 +175,6 @@ inline void raster::sweep::load(std::span<const std::uint32_t> segments) {
   }
   start_ = {member[0], member[1], member[2], member[3], member[4], member[5], member[6], member[7]};
   end_ = {member[8], member[9], member[10], member[11], member[12], member[13], member[14], member[15]};
-  end_on_ = seen_end_on(start_, end_);
 }
 
 template <class Look>
@@ -223,8 +221,8 @@ inline drawn_fragments raster::sweep::drawn_at(integers place) const {
                                  picked(p.radius, lane),  picked(p.pixel_x, lane), picked(p.pixel_y, lane),
                                  picked(p.joint_x, lane), picked(p.joint_y, lane)};
   };
-  const auto found = look_at(own(start_), own(end_), picked(end_on_, lane), as_floats(column) + pack(0.5F),
-                             as_floats(row) + pack(0.5F), from_.view_, from_.antialias_);
+  const auto found = look_at(own(start_), own(end_), as_floats(column) + pack(0.5F), as_floats(row) + pack(0.5F),
+                             from_.view_, from_.antialias_);
   return {bits(found.coverage > pack(0.0F)),
           column,
           row,

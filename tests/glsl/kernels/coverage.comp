@@ -3,12 +3,13 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define STRIDE 16u
-#define RESULTS 30u
+#define RESULTS 32u
 #include "table.glsl"
 
 #include "pelage/glsl/core/vector_math.glsl"
 #include "pelage/glsl/coverage/closest_points.glsl"
 #include "pelage/glsl/coverage/disc_strip.glsl"
+#include "pelage/glsl/coverage/joint.glsl"
 #include "pelage/glsl/coverage/line_width.glsl"
 #include "pelage/glsl/coverage/ray_cone.glsl"
 #include "pelage/glsl/coverage/segment_quad.glsl"
@@ -45,4 +46,9 @@ void main() {
   put(27u, cone.base);
   put(28u, cylinder.slope);
   put(29u, pelage_tangent_stretch(0.5 * f(14u)));
+  const pelage_strand_joint first = pelage_strand_joint(origin.xy, direction.xy);
+  const pelage_strand_joint second = pelage_strand_joint(start.xy, end.xy);
+  const vec2 pixel = vec2(f(14u), f(12u));
+  put(30u, pelage_past_joint(first, pixel));
+  put(31u, pelage_owned_by_segment(first, second, pixel));
 }

@@ -19,7 +19,8 @@
 /// made once per material, a view once per hit, and each light costs the rest.
 ///
 /// Frame: x along the fibre towards its tip, y and z across; unit vectors that point away from the fibre.
-/// `h` is where the eye's ray meets the fibre across its width, clamped to [-1, 1]: sin γ_o.
+/// `h` is where the eye's ray meets the fibre across its width, clamped to [-1, 1]: sin γ_o. It is positive on the side
+/// of eye × x: seen from +z, on the side of +y.
 struct pelage_chiang_parameters {
   float eta;         ///< index of refraction, [1, inf); hair 1.55
   float sigma_a[3];  ///< absorption per fibre radius, [0, inf]
@@ -51,7 +52,7 @@ struct pelage_chiang_view {
 
 /// Light scattered from one direction to the eye.
 struct pelage_chiang_result {
-  float value[3];  ///< f |cos|: the BSDF times the cosine w_i.z that its definition divides by
+  float value[3];  ///< f |cos|, to be multiplied by the light and by no further cosine
   float density;   ///< of sampling that direction, per steradian
 };
 
@@ -62,8 +63,8 @@ precise pelage_chiang_fibre pelage_make_chiang_fibre(pelage_chiang_parameters pa
 precise pelage_chiang_view pelage_view_chiang(pelage_chiang_fibre fibre, float h, pelage_fibre_direction eye);
 
 /// The whole model at one pair of directions. Finite for every unit vector, grazing ones and those along the fibre
-/// included. Float stays within 2e-5 of double for η in [1.4, 1.8], β_m and β_n from 0.08 on and values above 1e-6,
-/// within 5e-5 for η from 1.1 and roughnesses from 0.05 on; 99 values in 100 are within 3e-6.
+/// included. Where a value exceeds 1e-6, float stays within 5e-5 of double for η in [1.4, 1.8] and β_m, β_n from 0.08
+/// on, within 2.5e-4 for η in [1.1, 3] and roughnesses from 0.05 on; 98 values in 100 are within 3e-6.
 precise pelage_chiang_result pelage_evaluate_chiang(pelage_chiang_fibre fibre, pelage_chiang_view view,
                                                     pelage_fibre_direction light);
 

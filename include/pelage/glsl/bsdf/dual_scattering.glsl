@@ -20,8 +20,8 @@
 
 /// What a fibre does on average to light of one inclination; colours are per channel.
 struct pelage_dual_averages {
-  vec3 forward;            ///< ā_f: the share that goes on, [0, 1)
-  vec3 backward;           ///< ā_b: the share that turns back, [0, 1)
+  vec3 forward;            ///< ā_f: the share that goes on, [0, 1) if the model keeps energy
+  vec3 backward;           ///< ā_b: the share that turns back, in the same way
   vec3 forward_shift;      ///< ᾱ_f: mean of θ_h = (θ_i + θ_r)/2 of what goes on, radians
   vec3 backward_shift;     ///< ᾱ_b
   vec3 forward_variance;   ///< β̄_f²: variance of θ_h of what goes on
