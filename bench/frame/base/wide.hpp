@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
-#include <pelage/core/lane_math.hpp>
+#include <pelage/core/lanes.hpp>
 
 #include <glm/vec3.hpp>
 
