@@ -43,14 +43,6 @@ template <class Condition, class Real>
   return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
 }
 
-/// True if a condition holds in any lane.
-[[nodiscard]] inline bool any(bool condition) {
-  return condition;
-}
-[[nodiscard]] inline bool any(lane_mask<wide_width> condition) {
-  return bits(condition) != 0;
-}
-
 /// What one lane holds.
 [[nodiscard]] inline glm::vec3 lane_of(const wide3& v, int k) {
   return {v.x.lane[k], v.y.lane[k], v.z.lane[k]};
