@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -19,15 +20,36 @@
 
 namespace pelage {
 
-/// The widest vector of this build, in floats.
-[[nodiscard]] constexpr int lane_width() noexcept {
+/// Sets of vector instructions. `plain` is any machine: vectors of 16 bytes, of which the compiler makes what it can.
+enum class vector_isa : std::uint32_t { plain, sse2, neon, avx2, avx512 };
+
+/// The widest set that this translation unit is compiled for. What depends on it is always inlined, or has it in its
+/// name, so units of one program that are compiled with different flags share none.
 #if defined(__AVX512F__)
-  return 16;
+inline constexpr vector_isa widest_isa = vector_isa::avx512;
 #elif defined(__AVX2__)
-  return 8;
+inline constexpr vector_isa widest_isa = vector_isa::avx2;
+#elif defined(__SSE2__)
+inline constexpr vector_isa widest_isa = vector_isa::sse2;
+#elif defined(__aarch64__)
+inline constexpr vector_isa widest_isa = vector_isa::neon;
 #else
-  return 4;
+inline constexpr vector_isa widest_isa = vector_isa::plain;
 #endif
+
+/// Calls f(i) for i = 0, 1, … N - 1, each a constant: unrolled under any optimisation, so that arrays of vectors stay
+/// in registers.
+template <std::uint32_t N, class F>
+[[gnu::always_inline]] inline void unroll(F f) noexcept {
+  [&]<std::uint32_t... I>(std::integer_sequence<std::uint32_t, I...>) __attribute__((always_inline)) {
+    (f(std::integral_constant<std::uint32_t, I>{}), ...);
+  }
+  (std::make_integer_sequence<std::uint32_t, N>{});
+}
+
+/// How many floats one instruction handles.
+[[nodiscard]] constexpr int lane_width(vector_isa isa = widest_isa) noexcept {
+  return isa == vector_isa::avx512 ? 16 : isa == vector_isa::avx2 ? 8 : 4;
 }
 
 /// Which lanes a comparison holds for: all bits of a word are set, or none. Word: as wide as what was compared.
