@@ -6,7 +6,7 @@
 ///
 /// Left out is what has no meaning in a shader: headers that do for a whole span on a CPU, in vectors or blocks, what a
 /// mirrored one does for one pixel or fibre (core/lanes, order/block_list_storage, k_select, nearest_keys,
-/// lane_network, vector_lanes, slice_sort, visibility/occupancy_batch, bsdf/chiang_batch, chiang_quad), and
+/// lane_network, slice_sort, visibility/occupancy_batch, bsdf/chiang_batch, chiang_quad), and
 /// core/assert, which stands for what GLSL lacks.
 #include <pelage/bsdf/azimuthal.hpp>
 #include <pelage/bsdf/bessel.hpp>
@@ -85,6 +85,10 @@ template std::uint32_t load_marked(const cells&, std::uint32_t, std::uint32_t, s
 template float sqr(float) noexcept;
 template float safe_sqrt(float) noexcept;
 template float saturate(float) noexcept;
+template std::uint32_t add_saturating(std::uint32_t, std::uint32_t) noexcept;
+template float fast_log2(float) noexcept;
+template float fast_exp2(float) noexcept;
+template float power_of_cosine(float, float) noexcept;
 template float dot_product(const vec3&, const vec3&) noexcept;
 template vec3 cross_product(const vec3&, const vec3&) noexcept;
 template float vector_length(const vec3&) noexcept;
@@ -92,6 +96,7 @@ template vec3 unit_vector(const vec3&) noexcept;
 template float select(bool, float, float) noexcept;
 template float square_root(float) noexcept;
 template float whole_part(float) noexcept;
+template exponent_parts<float> split_exponent(float) noexcept;
 template float absolute(float) noexcept;
 template float least(float, float) noexcept;
 template float greatest(float, float) noexcept;
@@ -173,6 +178,8 @@ template void deep_shadow_builder::finish(span_vertex_storage&) noexcept;
 template float deep_shadow_at(const span_vertex_storage&, std::uint32_t, std::uint32_t, float) noexcept;
 
 // composite
+template std::uint32_t optical_depth(float) noexcept;
+template std::uint32_t to_fixed(float) noexcept;
 template vec3 transmittance(const vec3&, float) noexcept;
 template float transmittance(float, float) noexcept;
 template glm::vec4 premultiply(const vec3&, float) noexcept;

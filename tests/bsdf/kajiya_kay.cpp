@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #include <pelage/bsdf/kajiya_kay.hpp>
-#include <pelage/core/lane_math.hpp>
+#include <pelage/core/lanes.hpp>
 
 #include "lane_bits.hpp"
 #include "property.hpp"

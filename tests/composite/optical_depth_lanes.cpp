@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <pelage/composite/optical_depth_lanes.hpp>
+#include <pelage/composite/optical_depth.hpp>
+#include <pelage/core/lanes.hpp>
 
 #include "property.hpp"
 
@@ -36,11 +37,11 @@ void check_lanes() {
     b[k] = *rc::gen::arbitrary<bool>() ? 0xffffffffu - a[k] + *rc::gen::inRange(0u, 3u) - 1u : a[k] / 3u;
   }
   const auto packed = [](const auto& words) {
-    return lane_numbers<W>{std::bit_cast<typename lanes<W>::naturals>(words)};
+    return lanes<W, std::uint32_t>{std::bit_cast<typename lanes<W>::naturals>(words)};
   };
-  const lane_numbers<W> optical = optical_depth(lanes<W>::load(x.data()));
-  const lane_numbers<W> fixed = to_fixed(lanes<W>::load(x.data()));
-  const lane_numbers<W> sum = add_saturating(packed(a), packed(b));
+  const lanes<W, std::uint32_t> optical = optical_depth(lanes<W>::load(x.data()));
+  const lanes<W, std::uint32_t> fixed = to_fixed(lanes<W>::load(x.data()));
+  const lanes<W, std::uint32_t> sum = add_saturating(packed(a), packed(b));
   std::uint32_t all = 0u;
   for (std::size_t k = 0; k < W; ++k) {
     RC_LOG() << x[k] << " " << a[k] << " " << b[k];

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <pelage/core/lane_math.hpp>
+#include <pelage/core/lanes.hpp>
+#include <pelage/core/math.hpp>
+#include <pelage/core/vector_math.hpp>
 
 #include "lane_bits.hpp"
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <pelage/core/lane_math.hpp>
+#include <pelage/core/lanes.hpp>
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
-#include <pelage/core/lane_math.hpp>
+#include <pelage/core/lanes.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -41,14 +41,6 @@ using pelage::select;
 template <class Condition, class Real>
 [[nodiscard]] glm::vec<3, Real> select(Condition condition, const glm::vec<3, Real>& a, const glm::vec<3, Real>& b) {
   return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
-}
-
-/// True if a condition holds in any lane.
-[[nodiscard]] inline bool any(bool condition) {
-  return condition;
-}
-[[nodiscard]] inline bool any(lane_mask<wide_width> condition) {
-  return bits(condition) != 0;
 }
 
 /// What one lane holds.

@@ -74,7 +74,7 @@ surface_hit<Real> hit_ellipsoids(std::span<const ellipsoid> parts, const glm::ve
     const Real entry = select(depth > zero, select(t > zero, t, nowhere), nowhere);
     nearest = least(entry, nearest);
   }
-  if (!any(nearest < nowhere)) return {nearest, {}};
+  if (!holds_for_any(nearest < nowhere)) return {nearest, {}};
   return {nearest, shading_normal(parts, origin + nearest * direction)};
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -90,10 +89,10 @@ template <class Visit>
 void for_each_drawn(const drawn_fragments& all, Visit&& visit) {
   pixel_fragment each[fragment_lanes::width];
   all.lanes.store(each);
-  for (std::uint32_t left = all.set; left != 0; left &= left - 1U) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+  for_each_lane(all.set, [&](int lane) {
+    const auto k = static_cast<std::size_t>(lane);
     visit(k, all.x[k], all.y[k], each[k]);
-  }
+  });
 }
 
 inline fragment_lanes::pack alpha_of(const strands& fibres, const fragment_lanes& all) {

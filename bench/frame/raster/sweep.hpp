@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/core/lane_math.hpp>
 #include <pelage/core/lane_moves.hpp>
+#include <pelage/core/lanes.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include <pelage/bsdf/dual_scattering_table.hpp>
 #include <pelage/bsdf/kajiya_kay.hpp>
-#include <pelage/core/lane_math.hpp>
+#include <pelage/core/lanes.hpp>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 

@@ -96,7 +96,7 @@ scene::backdrop_rays scene::seen_behind(const wide_rays& rays) const {
   const solid_hit<wide> hit = opaque.hit(rays.origin, rays.direction);
   const wide3 far = background(rays.direction);
   const auto solid = hit.distance < wide(std::numeric_limits<float>::infinity());
-  if (!any(solid)) return {hit.distance, far};
+  if (!holds_for_any(solid)) return {hit.distance, far};
   const wide3 near = solid_radiance(rays.origin + hit.distance * rays.direction, hit, bits(solid));
   return {hit.distance, select(solid, near * (wide(1.0F) - hit.haze) + far * hit.haze, far)};
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/core/lane_math.hpp>
+#include <pelage/core/lanes.hpp>
 
 #include <glm/glm.hpp>
 #include <cstdint>

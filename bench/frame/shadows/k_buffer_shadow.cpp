@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/shadows/k_buffer_shadow.hpp"
 
-#include <pelage/composite/optical_depth_lanes.hpp>
+#include <pelage/composite/optical_depth.hpp>
+#include <pelage/core/lanes.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -15,8 +16,8 @@ k_buffer_shadow::k_buffer_shadow(const raster& from, const solids& opaque, bool 
 
 void k_buffer_shadow::lose(int x, int y, std::span<const pixel_fragment> lost, tail& behind) {
   texel& t = texel_[index(x, y)];
-  lane_numbers<fragment_lanes::width> optical{};
-  lane_numbers<fragment_lanes::width> coverage{};
+  lanes<fragment_lanes::width, std::uint32_t> optical{};
+  lanes<fragment_lanes::width, std::uint32_t> coverage{};
   fragment_lanes::pack farthest(t.farthest);
   for_each_lanes(lost, [&](const fragment_lanes& f) {
     optical = add_saturating(optical, optical_depth(alpha(f)));

@@ -14,35 +14,36 @@ namespace pelage {
 /// range, which is still the same in any order, and read as 0, as does every sum above 126 octaves. Each fragment
 /// rounds by at most 2⁻²¹ octaves, a relative error of 3.4e-7 in the product; fast_log2 adds its own, 1e-7 octaves
 /// or 1e-7 of them. `alpha`: clamped to [0, 1]; NaN counts as 0.
-[[nodiscard]] constexpr std::uint32_t optical_depth(float alpha) noexcept;
+template <single_precision Real>
+[[nodiscard, gnu::always_inline]] inline constexpr natural_of<Real> optical_depth(Real alpha) noexcept;
 
 /// x in units of 2⁻²⁰, rounded to the nearest; 0 for negative and NaN, the greatest number from 4096 on.
-[[nodiscard]] constexpr std::uint32_t to_fixed(float x) noexcept;
+template <single_precision Real>
+[[nodiscard, gnu::always_inline]] inline constexpr natural_of<Real> to_fixed(Real x) noexcept;
 
 /// The transmittance of a sum, [0, 1]; exactly 1 for 0. Relative error below 1e-7 · (1 + octaves / 2).
-[[nodiscard]] constexpr float transmittance_of(std::uint32_t optical) noexcept;
+[[nodiscard]] constexpr float transmittance_of(std::uint32_t optical) noexcept {
+  return fast_exp2(-static_cast<float>(optical) * (1.0f / 1048576.0f));
+}
 
 // ---------------------------------------------------------------------------------------------------------
 
-constexpr std::uint32_t optical_depth(float alpha) noexcept {
-  const float octaves = -fast_log2(1.0f - saturate(alpha));
-  return to_fixed(octaves < 32.0f ? octaves : 32.0f);
+template <single_precision Real>
+constexpr natural_of<Real> optical_depth(Real alpha) noexcept {
+  const Real octaves = Real(0.0f) - fast_log2(Real(1.0f) - saturate(alpha));
+  return to_fixed(select(octaves < Real(32.0f), octaves, Real(32.0f)));
 }
 
-constexpr std::uint32_t to_fixed(float x) noexcept {
-  if (!(x > 0.0f)) {
-    return 0u;
-  }
-  if (x >= 4096.0f) {
-    return 0xffffffffu;
+template <single_precision Real>
+constexpr natural_of<Real> to_fixed(Real x) noexcept {
+  const Real positive = select(x > Real(0.0f), x, Real(0.0f));
+  if (holds_for_all(positive < Real(8.0f))) {
+    return to_natural(positive * Real(1048576.0f) + Real(0.5f));
   }
   // From 2²³ units on a float is a whole number, and adding a half would round to even.
-  const float units = x * 1048576.0f;
-  return static_cast<std::uint32_t>(units < 8388608.0f ? units + 0.5f : units);
-}
-
-constexpr float transmittance_of(std::uint32_t optical) noexcept {
-  return fast_exp2(-static_cast<float>(optical) * (1.0f / 1048576.0f));
+  const Real units = select(positive < Real(4096.0f), positive, Real(0.0f)) * Real(1048576.0f);
+  const Real rounded = select(positive < Real(8.0f), units + Real(0.5f), units);
+  return select(positive < Real(4096.0f), to_natural(rounded), natural_of<Real>(0xffffffffu));
 }
 
 }  // namespace pelage

@@ -26,43 +26,36 @@ struct tail {
 };
 
 /// A tail that holds nothing: transmittance 1.
-[[nodiscard]] constexpr tail empty_tail() noexcept;
+[[nodiscard]] constexpr tail empty_tail() noexcept {
+  return tail{0u, 0u, 0u, 0u, 0u};
+}
 
 /// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB,
 /// [0, inf]; alpha · colour is clamped to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
 [[nodiscard]] constexpr tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept;
 
 /// Both tails in one. Associative and commutative, empty_tail() is the identity.
-[[nodiscard]] constexpr tail merge(const tail& a, const tail& b) noexcept;
+[[nodiscard]] constexpr tail merge(const tail& a, const tail& b) noexcept {
+  return tail{add_saturating(a.optical, b.optical), add_saturating(a.weight, b.weight), add_saturating(a.red, b.red),
+              add_saturating(a.green, b.green), add_saturating(a.blue, b.blue)};
+}
 
 /// The light that passes the whole tail, [0, 1].
-[[nodiscard]] constexpr float transmittance_of(const tail& t) noexcept;
+[[nodiscard]] constexpr float transmittance_of(const tail& t) noexcept {
+  return transmittance_of(t.optical);
+}
 
-/// The mean colour of the tail's fragments, weighted by alpha; black when it is empty, or when
-/// no alpha in it reaches 2⁻²¹. What the tail adds to a pixel
-/// is this times 1 - transmittance_of(t).
+/// The mean colour of the tail's fragments, weighted by alpha; black when it is empty, or when no alpha in it reaches
+/// 2⁻²¹. What the tail adds to a pixel is this times 1 - transmittance_of(t).
 [[nodiscard]] constexpr glm::vec3 mean_colour(const tail& t) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
-
-constexpr tail empty_tail() noexcept {
-  return tail{0u, 0u, 0u, 0u, 0u};
-}
 
 constexpr tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept {
   const float held = saturate(alpha);
   const tail one = tail{optical_depth(held), to_fixed(held), to_fixed(held * colour.x), to_fixed(held * colour.y),
                         to_fixed(held * colour.z)};
   return merge(t, one);
-}
-
-constexpr tail merge(const tail& a, const tail& b) noexcept {
-  return tail{add_saturating(a.optical, b.optical), add_saturating(a.weight, b.weight), add_saturating(a.red, b.red),
-              add_saturating(a.green, b.green), add_saturating(a.blue, b.blue)};
-}
-
-constexpr float transmittance_of(const tail& t) noexcept {
-  return transmittance_of(t.optical);
 }
 
 constexpr glm::vec3 mean_colour(const tail& t) noexcept {

@@ -1,10 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/composite/optical_depth_lanes.hpp>
 #include <pelage/composite/tail.hpp>
-#include <pelage/core/lane_math.hpp>
 #include <pelage/core/lane_moves.hpp>
+#include <pelage/core/lanes.hpp>
 
 #include <array>
 #include <bit>
@@ -20,26 +19,18 @@ namespace pelage {
 template <int W>
 [[gnu::always_inline]] inline void add_fragments(lanes<W> alpha, const lane_vector<W>& colour, std::uint32_t set,
                                                  const std::array<std::uint32_t, std::size_t{W}>& tail_of,
-                                                 std::span<tail> behind) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <int W>
-void add_fragments(lanes<W> alpha, const lane_vector<W>& colour, std::uint32_t set,
-                   const std::array<std::uint32_t, std::size_t{W}>& tail_of, std::span<tail> behind) noexcept {
+                                                 std::span<tail> behind) noexcept {
   static_assert(offsetof(tail, blue) == 4 * sizeof(std::uint32_t) && sizeof(tail) == 5 * sizeof(std::uint32_t));
-  const lanes<W> held = saturate(alpha);
-  const auto as_floats = [](lane_numbers<W> x) {
-    return lanes<W>(reinterpret_cast<typename lanes<W>::vector>(x.lane));
-  };
+  using floats = lanes<W>;
+  const floats held = saturate(alpha);
   alignas(64) float words[4 * W];
-  store_quads(as_floats(optical_depth(held)), as_floats(to_fixed(held)), as_floats(to_fixed(held * colour.x)),
-              as_floats(to_fixed(held * colour.y)), words);
-  const auto blue = to_fixed(held * colour.z);
+  store_quads(bits_as<floats>(optical_depth(held)), bits_as<floats>(to_fixed(held)),
+              bits_as<floats>(to_fixed(held * colour.x)), bits_as<floats>(to_fixed(held * colour.y)), words);
+  const lanes<W, std::uint32_t> blue = to_fixed(held * colour.z);
   for (std::uint32_t left = set; left != 0u; left &= left - 1u) {
     const auto k = static_cast<std::size_t>(std::countr_zero(left));
     tail& t = behind[tail_of[k]];
-    lane_numbers<4> sum, one;  // all members but blue
+    lanes<4, std::uint32_t> sum, one;  // all members but blue
     __builtin_memcpy(&one.lane, words + 4u * k, sizeof(one.lane));
     __builtin_memcpy(&sum.lane, &t, sizeof(sum.lane));
     sum = add_saturating(sum, one);

@@ -3,10 +3,8 @@
 #pragma once
 #include <pelage/core/math.hpp>
 
-#include <bit>
 #include <cmath>
 #include <concepts>
-#include <cstdint>
 #include <type_traits>
 
 namespace pelage {
@@ -16,9 +14,12 @@ namespace pelage {
 ///
 /// Nothing here branches on data in float, so that a type that packs many floats runs through the same text: see
 /// core/real_number.hpp; core/lanes.hpp supplies the functions marked "packed types overload".
+
 /// x without its fraction, towards 0, for |x| < 2³¹. Packed types overload.
 template <std::floating_point Real>
-[[nodiscard]] constexpr Real whole_part(Real x) noexcept;
+[[nodiscard]] constexpr Real whole_part(Real x) noexcept {
+  return static_cast<Real>(static_cast<int>(x));
+}
 
 /// A number's whole part, and the power of two that has it for its exponent's bits.
 template <class Real>
@@ -27,18 +28,25 @@ struct exponent_parts {
   Real power;  ///< 2^(e - 127); 0 for e = 0, +inf for e = 255
 };
 
-/// The parts of an argument in [0, 256). Packed types overload.
-[[nodiscard]] constexpr exponent_parts<float> split_exponent(float biased) noexcept;
+/// The parts of an argument in [0, 256).
+template <single_precision Real>
+[[nodiscard, gnu::always_inline]] inline constexpr exponent_parts<Real> split_exponent(Real biased) noexcept;
 
 /// |x|, and 0 for -0.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline Real absolute(Real x) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real absolute(Real x) noexcept {
+  return select(x > Real(0), x, Real(0) - x);
+}
 
 /// The lesser and the greater of two; b if either is NaN, in shaders too.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline Real least(Real a, Real b) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real least(Real a, Real b) noexcept {
+  return select(a < b, a, b);
+}
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline Real greatest(Real a, Real b) noexcept;
+[[nodiscard, gnu::always_inline]] inline Real greatest(Real a, Real b) noexcept {
+  return select(a > b, a, b);
+}
 
 /// eˣ - 1 for |x| ≤ 0.35, relative error below 1.5e-7 in float. Outside: garbage in float.
 template <real_number Real>
@@ -90,38 +98,22 @@ template <real_number Real>
 /// The rotation by the sum of two angles.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline rotation<Real> turned_by(const rotation<Real>& a,
-                                                                  const rotation<Real>& b) noexcept;
+                                                                  const rotation<Real>& b) noexcept {
+  return rotation<Real>{a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
 
 /// The rotation by a's angle less b's.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline rotation<Real> turned_back(const rotation<Real>& a,
-                                                                    const rotation<Real>& b) noexcept;
+                                                                    const rotation<Real>& b) noexcept {
+  return rotation<Real>{a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
+}
 
 // ---------------------------------------------------------------------------------------------------------
-
-template <std::floating_point Real>
-constexpr Real whole_part(Real x) noexcept {
-  return static_cast<Real>(static_cast<int>(x));
-}
-
-constexpr exponent_parts<float> split_exponent(float biased) noexcept {
-  const std::uint32_t e = static_cast<std::uint32_t>(biased);
-  return exponent_parts<float>{static_cast<float>(e), std::bit_cast<float>(e << 23u)};
-}
-
-template <real_number Real>
-Real absolute(Real x) noexcept {
-  return select(x > Real(0), x, Real(0) - x);
-}
-
-template <real_number Real>
-Real least(Real a, Real b) noexcept {
-  return select(a < b, a, b);
-}
-
-template <real_number Real>
-Real greatest(Real a, Real b) noexcept {
-  return select(a > b, a, b);
+template <single_precision Real>
+constexpr exponent_parts<Real> split_exponent(Real biased) noexcept {
+  const integer_of<Real> e = to_integer(biased);
+  return exponent_parts<Real>{to_float(e), float_of_bits(e << 23)};
 }
 
 template <real_number Real>
@@ -236,16 +228,6 @@ rotation<Real> rotation_by(Real x) noexcept {
     const Real turned_sine = select(quarter > Real(1.5f), Real(0.0f) - swapped_sine, swapped_sine);
     return rotation<Real>{turned_cosine, select(x < Real(0.0f), Real(0.0f) - turned_sine, turned_sine)};
   }
-}
-
-template <real_number Real>
-rotation<Real> turned_by(const rotation<Real>& a, const rotation<Real>& b) noexcept {
-  return rotation<Real>{a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
-}
-
-template <real_number Real>
-rotation<Real> turned_back(const rotation<Real>& a, const rotation<Real>& b) noexcept {
-  return rotation<Real>{a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
 }
 
 }  // namespace pelage

@@ -11,12 +11,37 @@ namespace pelage {
 
 /// Moves between the lanes of vectors, on the CPU alone. No bit of a float changes, NaN included.
 
+/// Lane i of the result is number Source(i) of a's lanes and then b's, Source a constant function.
+template <auto Source, int W, class T>
+[[nodiscard, gnu::always_inline]] inline lanes<W, T> shuffled(lanes<W, T> a, lanes<W, T> b) noexcept {
+  return [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
+    return lanes<W, T>(__builtin_shufflevector(a.lane, b.lane, Source(I)...));
+  }
+  (std::make_integer_sequence<int, W>{});
+}
+
+/// Lane i of the result is lane i ^ D of x.
+template <int D, int W, class T>
+[[nodiscard, gnu::always_inline]] inline lanes<W, T> flipped(lanes<W, T> x) noexcept {
+  constexpr auto other = [](int i) { return i ^ D; };
+  return shuffled<other>(x, x);
+}
+
+/// Lane i of the result is that of a where bit D of i is clear, that of b where it is set.
+template <int D, int W, class T>
+[[nodiscard, gnu::always_inline]] inline lanes<W, T> alternated(lanes<W, T> a, lanes<W, T> b) noexcept {
+  constexpr auto side = [](int i) { return (i & D) == 0 ? i : i + W; };
+  return shuffled<side>(a, b);
+}
+
 /// Lane k of the result is lane `from[k] & (W - 1)` of x.
 template <int W>
 [[nodiscard, gnu::always_inline]] inline lanes<W> picked(lanes<W> x, typename lanes<W>::integers from) noexcept;
 template <int W>
 [[nodiscard, gnu::always_inline]] inline typename lanes<W>::integers picked_integers(
-    typename lanes<W>::integers x, typename lanes<W>::integers from) noexcept;
+    typename lanes<W>::integers x, typename lanes<W>::integers from) noexcept {
+  return bits_of(picked(float_of_bits(lanes<W, int>(x)), from)).lane;
+}
 
 /// Lane k of the result is `from[at[k]]`, for every lane: an element that may be read, behind `from` or before it. Any
 /// numbers of 4 bytes may lie there.
@@ -29,9 +54,27 @@ template <int W>
 
 /// a[0], b[0], a[1], b[1], … : the first W of them, and the rest.
 template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> zip_low(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W> zip_low(lanes<W> a, lanes<W> b) noexcept {
+  constexpr auto source = [](int i) { return i / 2 + i % 2 * W; };
+  return shuffled<source>(a, b);
+}
 template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> zip_high(lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W> zip_high(lanes<W> a, lanes<W> b) noexcept {
+  constexpr auto source = [](int i) { return W / 2 + i / 2 + i % 2 * W; };
+  return shuffled<source>(a, b);
+}
+
+/// Every second lane of a, then of b: from the first on, and from the second on.
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W> even_lanes(lanes<W> a, lanes<W> b) noexcept {
+  constexpr auto source = [](int i) { return 2 * i; };
+  return shuffled<source>(a, b);
+}
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W> odd_lanes(lanes<W> a, lanes<W> b) noexcept {
+  constexpr auto source = [](int i) { return 2 * i + 1; };
+  return shuffled<source>(a, b);
+}
 
 /// Lane k of row i goes to lane i of row k.
 template <int W>
@@ -47,21 +90,6 @@ template <int W>
                                               lanes<W>& d) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
-
-namespace detail {
-
-/// Every second lane of both, from lane First on.
-template <int W, int First, int... I>
-[[gnu::always_inline]] inline lanes<W> unzip(lanes<W> a, lanes<W> b, std::integer_sequence<int, I...>) noexcept {
-  return lanes<W>(__builtin_shufflevector(a.lane, b.lane, (First + 2 * I)...));
-}
-
-template <int W, int First, int... I>
-[[gnu::always_inline]] inline lanes<W> zip(lanes<W> a, lanes<W> b, std::integer_sequence<int, I...>) noexcept {
-  return lanes<W>(__builtin_shufflevector(a.lane, b.lane, (First + I / 2 + I % 2 * W)...));
-}
-
-}  // namespace detail
 
 template <int W>
 lanes<W> picked(lanes<W> x, typename lanes<W>::integers from) noexcept {
@@ -80,12 +108,6 @@ lanes<W> picked(lanes<W> x, typename lanes<W>::integers from) noexcept {
     result.lane[k] = x.lane[from[k] & (W - 1)];
   }
   return result;
-}
-
-template <int W>
-typename lanes<W>::integers picked_integers(typename lanes<W>::integers x, typename lanes<W>::integers from) noexcept {
-  const lanes<W> same_bits(reinterpret_cast<typename lanes<W>::vector>(x));
-  return reinterpret_cast<typename lanes<W>::integers>(picked(same_bits, from).lane);
 }
 
 template <int W>
@@ -131,16 +153,6 @@ lanes<W> packed_left(std::uint32_t set, lanes<W> x) noexcept {
 }
 
 template <int W>
-lanes<W> zip_low(lanes<W> a, lanes<W> b) noexcept {
-  return detail::zip<W, 0>(a, b, std::make_integer_sequence<int, W>());
-}
-
-template <int W>
-lanes<W> zip_high(lanes<W> a, lanes<W> b) noexcept {
-  return detail::zip<W, W / 2>(a, b, std::make_integer_sequence<int, W>());
-}
-
-template <int W>
 void transpose(lanes<W> (&rows)[W]) noexcept {
 #pragma GCC unroll 4
   for (int stage = 1; stage < W; stage *= 2) {
@@ -171,19 +183,18 @@ void store_quads(lanes<W> a, lanes<W> b, lanes<W> c, lanes<W> d, float* to) noex
 
 template <int W>
 void load_quads(const float* from, lanes<W>& a, lanes<W>& b, lanes<W>& c, lanes<W>& d) noexcept {
-  constexpr std::make_integer_sequence<int, W> each;
   const lanes<W> first = lanes<W>::load(from);
   const lanes<W> second = lanes<W>::load(from + W);
   const lanes<W> third = lanes<W>::load(from + 2 * W);
   const lanes<W> fourth = lanes<W>::load(from + 3 * W);
-  const lanes<W> ac_low = detail::unzip<W, 0>(first, second, each);
-  const lanes<W> bd_low = detail::unzip<W, 1>(first, second, each);
-  const lanes<W> ac_high = detail::unzip<W, 0>(third, fourth, each);
-  const lanes<W> bd_high = detail::unzip<W, 1>(third, fourth, each);
-  a = detail::unzip<W, 0>(ac_low, ac_high, each);
-  b = detail::unzip<W, 0>(bd_low, bd_high, each);
-  c = detail::unzip<W, 1>(ac_low, ac_high, each);
-  d = detail::unzip<W, 1>(bd_low, bd_high, each);
+  const lanes<W> ac_low = even_lanes(first, second);
+  const lanes<W> bd_low = odd_lanes(first, second);
+  const lanes<W> ac_high = even_lanes(third, fourth);
+  const lanes<W> bd_high = odd_lanes(third, fourth);
+  a = even_lanes(ac_low, ac_high);
+  b = even_lanes(bd_low, bd_high);
+  c = odd_lanes(ac_low, ac_high);
+  d = odd_lanes(bd_low, bd_high);
 }
 
 }  // namespace pelage

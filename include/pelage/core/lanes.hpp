@@ -2,70 +2,115 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/math.hpp>
 #include <pelage/core/real_number.hpp>
+
+#include <glm/vec3.hpp>
 
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
-#if defined(__SSE__)
+#if defined(__SSE2__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
 
 namespace pelage {
 
-/// The compiler's own vectors, by their number of lanes. (GCC 12 does not accept a width that depends on a template.)
-template <int W>
-struct lane_vectors;
-template <>
-struct lane_vectors<4> {
-  typedef float real __attribute__((vector_size(16)));
-  typedef int integer __attribute__((vector_size(16)));
-  typedef std::uint32_t natural __attribute__((vector_size(16)));
-};
-template <>
-struct lane_vectors<8> {
-  typedef float real __attribute__((vector_size(32)));
-  typedef int integer __attribute__((vector_size(32)));
-  typedef std::uint32_t natural __attribute__((vector_size(32)));
-};
-template <>
-struct lane_vectors<16> {
-  typedef float real __attribute__((vector_size(64)));
-  typedef int integer __attribute__((vector_size(64)));
-  typedef std::uint32_t natural __attribute__((vector_size(64)));
+/// Sets of vector instructions. `plain` is any machine: vectors of 16 bytes, of which the compiler makes what it can.
+enum class vector_isa : std::uint32_t { plain, sse2, neon, avx2, avx512 };
+
+/// The widest set that this translation unit is compiled for. What depends on it is always inlined, or has it in its
+/// name, so units of one program that are compiled with different flags share none.
+#if defined(__AVX512F__)
+inline constexpr vector_isa widest_isa = vector_isa::avx512;
+#elif defined(__AVX2__)
+inline constexpr vector_isa widest_isa = vector_isa::avx2;
+#elif defined(__SSE2__)
+inline constexpr vector_isa widest_isa = vector_isa::sse2;
+#elif defined(__aarch64__)
+inline constexpr vector_isa widest_isa = vector_isa::neon;
+#else
+inline constexpr vector_isa widest_isa = vector_isa::plain;
+#endif
+
+/// Calls f(i) for i = 0, 1, … N - 1, each a constant: unrolled under any optimisation, so that arrays of vectors stay
+/// in registers.
+template <std::uint32_t N, class F>
+[[gnu::always_inline]] inline void unroll(F f) noexcept {
+  [&]<std::uint32_t... I>(std::integer_sequence<std::uint32_t, I...>) __attribute__((always_inline)) {
+    (f(std::integral_constant<std::uint32_t, I>{}), ...);
+  }
+  (std::make_integer_sequence<std::uint32_t, N>{});
+}
+
+/// How many floats one instruction handles.
+[[nodiscard]] constexpr int lane_width(vector_isa isa = widest_isa) noexcept {
+  return isa == vector_isa::avx512 ? 16 : isa == vector_isa::avx2 ? 8 : 4;
+}
+
+/// Which lanes a comparison holds for: all bits of a word are set, or none. Word: as wide as what was compared.
+template <int W, class Word = int>
+struct lane_mask {
+  typedef Word vector __attribute__((vector_size(W * sizeof(Word))));
+
+  vector lane;
 };
 
-/// W floats that go through a formula together. For the CPU alone; GCC's and clang's vector types underneath, so that
-/// it needs no flags and takes what the flags allow. Every operation is the scalar one on each lane, bit for bit.
-/// W in {4, 8, 16}; lane_width() is the widest that one instruction handles. sizeof is 4 W, as is the alignment.
-template <int W>
+/// W numbers that go through a formula together. For the CPU alone; GCC's and clang's vector types underneath, so that
+/// it needs no flags and takes what the flags allow. Every operation is the scalar one on each lane, bit for bit;
+/// integers wrap. W numbers of 4 bytes, W in {4, 8, 16}, or half as many of 8; lane_width() is the widest that one
+/// instruction handles. sizeof is that of the numbers, as is the alignment.
+template <int W, class T = float>
 struct lanes {
-  using vector = typename lane_vectors<W>::real;
-  using integers = typename lane_vectors<W>::integer;
-  using naturals = typename lane_vectors<W>::natural;
+  typedef T vector __attribute__((vector_size(W * sizeof(T))));
+  using integers = typename lanes<W, int>::vector;
+  using naturals = typename lanes<W, std::uint32_t>::vector;
+  using mask = lane_mask<W, std::conditional_t<sizeof(T) == 4, int, std::int64_t>>;
 
   vector lane;
 
   lanes() = default;
-  explicit lanes(vector all) noexcept : lane(all) {}
+  [[gnu::always_inline]] explicit lanes(vector all) noexcept : lane(all) {}
   template <class Number>
   requires std::is_arithmetic_v<Number>
-  explicit lanes(Number same) noexcept : lane(static_cast<float>(same) - vector{}) {}
+  [[gnu::always_inline]] explicit lanes(Number same) noexcept : lane(static_cast<T>(same) - vector{}) {}
 
-  /// W floats from memory of any alignment, and back.
-  [[nodiscard]] static lanes load(const float* from) noexcept;
-  void store(float* to) const noexcept;
+  /// W numbers from memory of any alignment, and back.
+  [[nodiscard, gnu::always_inline]] static lanes load(const T* from) noexcept {
+    lanes all;
+    __builtin_memcpy(&all.lane, from, sizeof(all.lane));
+    return all;
+  }
+  [[gnu::always_inline]] void store(T* to) const noexcept { __builtin_memcpy(to, &lane, sizeof(lane)); }
+
+  [[nodiscard, gnu::always_inline]] friend lanes operator+(lanes a, lanes b) noexcept { return lanes(a.lane + b.lane); }
+  [[nodiscard, gnu::always_inline]] friend lanes operator-(lanes a, lanes b) noexcept { return lanes(a.lane - b.lane); }
+  [[nodiscard, gnu::always_inline]] friend lanes operator*(lanes a, lanes b) noexcept { return lanes(a.lane * b.lane); }
+  [[nodiscard, gnu::always_inline]] friend lanes operator/(lanes a, lanes b) noexcept { return lanes(a.lane / b.lane); }
+  [[nodiscard, gnu::always_inline]] friend lanes operator&(lanes a, lanes b) noexcept { return lanes(a.lane & b.lane); }
+  [[nodiscard, gnu::always_inline]] friend lanes operator<<(lanes a, int n) noexcept { return lanes(a.lane << n); }
+  [[nodiscard, gnu::always_inline]] friend lanes operator>>(lanes a, int n) noexcept { return lanes(a.lane >> n); }
+  [[nodiscard, gnu::always_inline]] friend mask operator<(lanes a, lanes b) noexcept { return {a.lane < b.lane}; }
+  [[nodiscard, gnu::always_inline]] friend mask operator>(lanes a, lanes b) noexcept { return {a.lane > b.lane}; }
+  [[nodiscard, gnu::always_inline]] friend mask operator<=(lanes a, lanes b) noexcept { return {a.lane <= b.lane}; }
+  [[nodiscard, gnu::always_inline]] friend mask operator>=(lanes a, lanes b) noexcept { return {a.lane >= b.lane}; }
+  [[nodiscard, gnu::always_inline]] friend mask operator!=(lanes a, lanes b) noexcept { return {a.lane != b.lane}; }
 };
 
-/// Which lanes a comparison holds for.
-template <int W>
-struct lane_mask {
-  typename lanes<W>::integers lane;
+template <int W, class T>
+struct number_parts<lanes<W, T>> {
+  using each = T;
+  template <class Other>
+  using as_many = lanes<W, Other>;
 };
 
+/// W points or directions.
 template <int W>
-struct is_packed<lanes<W>> : std::true_type {};
+using lane_vector = glm::vec<3, lanes<W>, glm::defaultp>;
 
 /// A mask as a number: bit k is set where the comparison holds for lane k.
 template <int W>
@@ -77,89 +122,58 @@ template <int W>
   return (1u << W) - 1u;
 }
 
-/// The widest vector of this build, in floats.
-[[nodiscard]] constexpr int lane_width() noexcept;
-
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> operator+(lanes<W> a, lanes<W> b) noexcept;
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> operator-(lanes<W> a, lanes<W> b) noexcept;
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> operator*(lanes<W> a, lanes<W> b) noexcept;
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> operator/(lanes<W> a, lanes<W> b) noexcept;
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lane_mask<W> operator<(lanes<W> a, lanes<W> b) noexcept;
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lane_mask<W> operator>(lanes<W> a, lanes<W> b) noexcept;
+/// The same bytes as other lanes.
+template <class To, int W, class T>
+[[nodiscard, gnu::always_inline]] inline To bits_as(lanes<W, T> x) noexcept {
+  return To(reinterpret_cast<typename To::vector>(x.lane));
+}
 
 /// The functions of core/real_number.hpp and core/elementary.hpp that a packed type brings along.
 template <int W>
-[[nodiscard, gnu::always_inline]] inline bool holds_for_any(lane_mask<W> condition) noexcept;
+[[nodiscard, gnu::always_inline]] inline bool holds_for_any(lane_mask<W> condition) noexcept {
+  return bits(condition) != 0u;
+}
 template <int W>
-[[nodiscard, gnu::always_inline]] inline bool holds_for_all(lane_mask<W> condition) noexcept;
-template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> select(lane_mask<W> condition, lanes<W> a, lanes<W> b) noexcept;
+[[nodiscard, gnu::always_inline]] inline bool holds_for_all(lane_mask<W> condition) noexcept {
+  return bits(condition) == all_bits<W>();
+}
+template <int W, class T>
+[[nodiscard, gnu::always_inline]] inline lanes<W, T> select(typename lanes<W, T>::mask condition, lanes<W, T> a,
+                                                            lanes<W, T> b) noexcept {
+  return lanes<W, T>(condition.lane ? a.lane : b.lane);
+}
 template <int W>
 [[nodiscard, gnu::always_inline]] inline lanes<W> square_root(lanes<W> x) noexcept;
 template <int W>
-[[nodiscard, gnu::always_inline]] inline lanes<W> whole_part(lanes<W> x) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W, int> bits_of(lanes<W> x) noexcept {
+  return bits_as<lanes<W, int>>(x);
+}
 template <int W>
-[[nodiscard, gnu::always_inline]] inline exponent_parts<lanes<W>> split_exponent(lanes<W> biased) noexcept;
+[[nodiscard, gnu::always_inline]] inline lanes<W> float_of_bits(lanes<W, int> bits) noexcept {
+  return bits_as<lanes<W>>(bits);
+}
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W, int> to_integer(lanes<W> x) noexcept {
+  return lanes<W, int>(__builtin_convertvector(x.lane, typename lanes<W>::integers));
+}
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W, std::uint32_t> to_natural(lanes<W> x) noexcept {
+  return lanes<W, std::uint32_t>(__builtin_convertvector(x.lane, typename lanes<W>::naturals));
+}
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W> to_float(lanes<W, int> x) noexcept {
+  return lanes<W>(__builtin_convertvector(x.lane, typename lanes<W>::vector));
+}
+template <int W>
+[[nodiscard, gnu::always_inline]] inline lanes<W> whole_part(lanes<W> x) noexcept {
+  return to_float(to_integer(x));
+}
+
+/// The sum of all lanes by add_saturating().
+template <int W>
+[[nodiscard, gnu::always_inline]] inline std::uint32_t sum_saturating(lanes<W, std::uint32_t> x) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
-
-constexpr int lane_width() noexcept {
-#if defined(__AVX512F__)
-  return 16;
-#elif defined(__AVX2__)
-  return 8;
-#else
-  return 4;
-#endif
-}
-
-template <int W>
-lanes<W> lanes<W>::load(const float* from) noexcept {
-  lanes all;
-  __builtin_memcpy(&all.lane, from, sizeof(all.lane));
-  return all;
-}
-
-template <int W>
-void lanes<W>::store(float* to) const noexcept {
-  __builtin_memcpy(to, &lane, sizeof(lane));
-}
-
-template <int W>
-lanes<W> operator+(lanes<W> a, lanes<W> b) noexcept {
-  return lanes<W>(a.lane + b.lane);
-}
-
-template <int W>
-lanes<W> operator-(lanes<W> a, lanes<W> b) noexcept {
-  return lanes<W>(a.lane - b.lane);
-}
-
-template <int W>
-lanes<W> operator*(lanes<W> a, lanes<W> b) noexcept {
-  return lanes<W>(a.lane * b.lane);
-}
-
-template <int W>
-lanes<W> operator/(lanes<W> a, lanes<W> b) noexcept {
-  return lanes<W>(a.lane / b.lane);
-}
-
-template <int W>
-lane_mask<W> operator<(lanes<W> a, lanes<W> b) noexcept {
-  return lane_mask<W>{a.lane < b.lane};
-}
-
-template <int W>
-lane_mask<W> operator>(lanes<W> a, lanes<W> b) noexcept {
-  return lane_mask<W>{a.lane > b.lane};
-}
 
 template <int W>
 std::uint32_t bits(lane_mask<W> mask) noexcept {
@@ -173,9 +187,13 @@ std::uint32_t bits(lane_mask<W> mask) noexcept {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(__m256(mask.lane)));
   }
 #endif
-#if defined(__SSE__)
+#if defined(__SSE2__)
   if constexpr (W == 4) {
     return static_cast<std::uint32_t>(_mm_movemask_ps(__m128(mask.lane)));
+  }
+#elif defined(__aarch64__)
+  if constexpr (W == 4) {
+    return vaddvq_u32(uint32x4_t(mask.lane) & uint32x4_t{1u, 2u, 4u, 8u});
   }
 #endif
   std::uint32_t set = 0u;
@@ -183,21 +201,6 @@ std::uint32_t bits(lane_mask<W> mask) noexcept {
     set |= mask.lane[k] != 0 ? 1u << k : 0u;
   }
   return set;
-}
-
-template <int W>
-bool holds_for_any(lane_mask<W> condition) noexcept {
-  return bits(condition) != 0u;
-}
-
-template <int W>
-bool holds_for_all(lane_mask<W> condition) noexcept {
-  return bits(condition) == all_bits<W>();
-}
-
-template <int W>
-lanes<W> select(lane_mask<W> condition, lanes<W> a, lanes<W> b) noexcept {
-  return lanes<W>(condition.lane ? a.lane : b.lane);
 }
 
 template <int W>
@@ -212,7 +215,7 @@ lanes<W> square_root(lanes<W> x) noexcept {
     return lanes<W>(typename lanes<W>::vector(_mm256_sqrt_ps(__m256(x.lane))));
   }
 #endif
-#if defined(__SSE__)
+#if defined(__SSE2__)
   if constexpr (W == 4) {
     return lanes<W>(typename lanes<W>::vector(_mm_sqrt_ps(__m128(x.lane))));
   }
@@ -225,19 +228,12 @@ lanes<W> square_root(lanes<W> x) noexcept {
 }
 
 template <int W>
-lanes<W> whole_part(lanes<W> x) noexcept {
-  using integers = typename lanes<W>::integers;
-  using vector = typename lanes<W>::vector;
-  return lanes<W>(__builtin_convertvector(__builtin_convertvector(x.lane, integers), vector));
-}
-
-template <int W>
-exponent_parts<lanes<W>> split_exponent(lanes<W> biased) noexcept {
-  using integers = typename lanes<W>::integers;
-  using vector = typename lanes<W>::vector;
-  const integers e = __builtin_convertvector(biased.lane, integers);
-  return exponent_parts<lanes<W>>{lanes<W>(__builtin_convertvector(e, vector)),
-                                  lanes<W>(reinterpret_cast<vector>(e << 23))};
+std::uint32_t sum_saturating(lanes<W, std::uint32_t> x) noexcept {
+  std::uint32_t sum = x.lane[0];
+  for (int k = 1; k < W; ++k) {
+    sum = add_saturating(sum, x.lane[k]);
+  }
+  return sum;
 }
 
 }  // namespace pelage

@@ -3,14 +3,16 @@
 #pragma once
 #include <pelage/core/assert.hpp>
 #include <pelage/core/fragment.hpp>
+#include <pelage/core/lane_moves.hpp>
+#include <pelage/core/lanes.hpp>
 #include <pelage/order/lane_network.hpp>
 #include <pelage/order/nearest_keys.hpp>
-#include <pelage/order/vector_lanes.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <span>
 
@@ -57,10 +59,22 @@ class long_list {
   [[gnu::always_inline]] inline std::uint32_t finish(fragment* nearest, std::uint32_t k) noexcept;
 
  private:
-  using lanes = vector_lanes<Isa>;
+  static constexpr std::uint32_t width = lane_width(Isa);
+  using depths = lanes<width>;
   static constexpr std::uint32_t block = 64u;
   static constexpr std::uint32_t burst = 8u;
 
+  /// The depths of `width` fragments, Source(i) the number of lane i's in two vectors of depths and ids.
+  template <auto Source>
+  [[nodiscard, gnu::always_inline]] static inline depths depths_of(const fragment* f) noexcept {
+    depths low, high;
+    std::memcpy(&low.lane, f, sizeof low.lane);
+    std::memcpy(&high.lane, f + width / 2u, sizeof high.lane);
+    return shuffled<Source>(low, high);
+  }
+  /// Bit i is set where the depth of fragment i of `width` is at most the bound, clear where it is NaN. Where the
+  /// caller has set denormals-are-zero, every denormal counts as 0, here and in the bound.
+  [[nodiscard, gnu::always_inline]] static inline std::uint32_t within(const fragment* f, depths bound) noexcept;
   /// Bit i is set where fragment base + i of the list is within the bound.
   [[nodiscard, gnu::always_inline]] inline std::uint64_t near_in_block(std::size_t base) const noexcept;
   /// Absorbs what was copied and takes the bound from it.
@@ -76,13 +90,14 @@ class long_list {
 
 template <std::uint32_t K, vector_isa Isa>
 inline void long_list<K, Isa>::start(const fragment* list, std::size_t n) noexcept {
-  using depths = typename lanes::depths;
-  constexpr std::uint32_t rows = 2u * K / lanes::depth_count;
-  depths least[rows];
+  constexpr std::uint32_t rows = 2u * K / width;
+  // Not in order, which takes one instruction less.
+  constexpr auto source = [](int i) { return i / 4 * 4 + 2 * (i % 2) + (i % 4 < 2 ? 0 : int{width}); };
+  depths nearest[rows];
   unroll<rows>([&](auto r)
-                   __attribute__((always_inline)) { least[r] = depths{} + std::numeric_limits<float>::infinity(); });
+                   __attribute__((always_inline)) { nearest[r] = depths(std::numeric_limits<float>::infinity()); });
   const auto lower = [&](auto r, std::size_t i) __attribute__((always_inline)) {
-    least[r] = lanes::min(lanes::shuffled_depths_of(list + i + r * lanes::depth_count), least[r]);
+    nearest[r] = least(depths_of<source>(list + i + r * width), nearest[r]);  // of a NaN, the second
   };
   std::size_t i = 0u;
   for (; i + 2u * K <= n; i += 2u * K) {
@@ -90,13 +105,13 @@ inline void long_list<K, Isa>::start(const fragment* list, std::size_t n) noexce
   }
   // What does not fill a vector at the end is left out: a bound from fewer fragments is still one.
   unroll<rows - 1u>([&](auto r) __attribute__((always_inline)) {
-    if (i + (r + 1u) * lanes::depth_count <= n) {
+    if (i + (r + 1u) * width <= n) {
       lower(r, i);
     }
   });
   list_ = list;
   n_ = n;
-  bound_ = lane_network::lower_median<lanes>(least);
+  bound_ = lane_network::lower_median(nearest);
   count_ = 0u;
   best_.clear();
 }
@@ -122,20 +137,31 @@ inline void long_list<K, Isa>::gather() noexcept {
 }
 
 template <std::uint32_t K, vector_isa Isa>
+inline std::uint32_t long_list<K, Isa>::within(const fragment* f, depths bound) noexcept {
+  constexpr auto even = [](int i) { return 2 * i; };
+  const depths depth = depths_of<even>(f);
+#if defined(__AVX512F__)
+  if constexpr (Isa == vector_isa::avx512) {  // bits() takes two instructions more
+    return _mm512_cmp_ps_mask(__m512(depth.lane), __m512(bound.lane), _CMP_LE_OQ);
+  }
+#endif
+  return bits(depth <= bound);
+}
+
+template <std::uint32_t K, vector_isa Isa>
 inline std::uint64_t long_list<K, Isa>::near_in_block(std::size_t base) const noexcept {
-  const auto limit = typename lanes::depths{} + bound_;
+  const depths limit(bound_);
   std::uint64_t near = 0u;
   if (base + block <= n_) {
-    unroll<block / lanes::depth_count>([&](auto v) __attribute__((always_inline)) {
-      constexpr std::uint32_t first = v * lanes::depth_count;
-      near |= std::uint64_t{lanes::within(lanes::depths_of(list_ + base + first), limit)} << first;
+    unroll<block / width>([&](auto v) __attribute__((always_inline)) {
+      constexpr std::uint32_t first = v * width;
+      near |= std::uint64_t{within(list_ + base + first, limit)} << first;
     });
   } else {
     // The last vector looks back at fragments already seen; the shift drops their bits.
-    for (std::size_t i = base; i < n_; i += lanes::depth_count) {
-      const std::size_t first = std::min(i, n_ - lanes::depth_count);
-      const std::uint64_t bits = lanes::within(lanes::depths_of(list_ + first), limit);
-      near |= bits >> (i - first) << (i - base);
+    for (std::size_t i = base; i < n_; i += width) {
+      const std::size_t first = std::min(i, n_ - width);
+      near |= std::uint64_t{within(list_ + first, limit)} >> (i - first) << (i - base);
     }
   }
   return near;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/fragment.hpp>
+#include <pelage/core/lane_moves.hpp>
+#include <pelage/core/lanes.hpp>
 #include <pelage/order/lane_network.hpp>
-#include <pelage/order/vector_lanes.hpp>
 
 #include <bit>
 #include <cstdint>
@@ -30,7 +31,9 @@ inline constexpr std::uint32_t key_offset = 0x00100000u;
 [[nodiscard]] inline fragment fragment_of(std::uint64_t key) noexcept;
 
 /// Stands in a list for no fragment.
-[[nodiscard]] inline fragment blank() noexcept;
+[[nodiscard]] inline fragment blank() noexcept {
+  return fragment{std::bit_cast<float>(blank_depth), 0u};
+}
 
 /// The K nearest of what was absorbed, sorted. K: a power of two from 8 on.
 template <std::uint32_t K, vector_isa Isa>
@@ -51,15 +54,24 @@ class nearest_keys {
   void clear() noexcept { held_ = negative_ = inexact_ = false; }
 
  private:
-  using lanes = vector_lanes<Isa>;
-  using keys = typename lanes::keys;
-  using words = typename lanes::words;
-  using longs = typename lanes::longs;
-  static constexpr std::uint32_t rows = K / lanes::key_count;
+  static constexpr std::uint32_t key_count = lane_width(Isa) / 2u;
+  static constexpr std::uint32_t rows = K / key_count;
+  using keys = lanes<key_count, double>;
+  using words = lanes<lane_width(Isa), std::uint32_t>;
 
   /// As words, with the depth above the id.
   [[nodiscard, gnu::always_inline]] static inline words both(std::uint32_t depth, std::uint32_t id) noexcept {
-    return (words)(longs{} + (std::uint64_t{depth} << 32 | id));
+    return bits_as<words>(lanes<key_count, std::uint64_t>(std::uint64_t{depth} << 32 | id));
+  }
+
+  /// True if a lane of `word` is above that of `limit`.
+  [[nodiscard, gnu::always_inline]] static inline bool any_above(words word, words limit) noexcept {
+#if defined(__AVX512F__)
+    if constexpr (Isa == vector_isa::avx512) {  // holds_for_any() takes two instructions more
+      return _mm512_cmpgt_epu32_mask(__m512i(word.lane), __m512i(limit.lane)) != 0;
+    }
+#endif
+    return holds_for_any(word > limit);
   }
 
   keys key_[rows] = {};    ///< sorted as lane_network does
@@ -84,22 +96,18 @@ inline fragment fragment_of(std::uint64_t key) noexcept {
   return fragment{std::bit_cast<float>(depth), depth <= 0x7fffffffu ? low : ~low};
 }
 
-inline fragment blank() noexcept {
-  return fragment{std::bit_cast<float>(blank_depth), 0u};
-}
-
 template <std::uint32_t K, vector_isa Isa>
 inline void nearest_keys<K, Isa>::absorb(const fragment* chunk) noexcept {
   keys key[rows];
-  words greatest{};
+  words most(0u);
   unroll<rows>([&](auto r) __attribute__((always_inline)) {
     words word;
-    std::memcpy(&word, chunk + r * lanes::key_count, sizeof word);
-    word = lanes::template flip<1>(word);
-    greatest = lanes::max(greatest, word);
-    key[r] = (keys)(word + both(key_offset, 0u));
+    std::memcpy(&word.lane, chunk + r * key_count, sizeof word.lane);
+    word = flipped<1>(word);
+    most = select(most > word, most, word);
+    key[r] = bits_as<keys>(word + both(key_offset, 0u));
   });
-  if (lanes::any_above(greatest, both(blank_depth, 0xfffffffeu))) [[unlikely]] {  // negative, NaN, a refused id
+  if (any_above(most, both(blank_depth, 0xfffffffeu))) [[unlikely]] {  // negative, NaN, a refused id
     std::uint64_t exact[K];
     for (std::uint32_t i = 0u; i < K; ++i) {
       const auto depth = std::bit_cast<std::uint32_t>(chunk[i].depth);
@@ -109,9 +117,9 @@ inline void nearest_keys<K, Isa>::absorb(const fragment* chunk) noexcept {
     std::memcpy(key, exact, sizeof exact);
     negative_ = true;
   }
-  lane_network::sort<lanes>(key);
+  lane_network::sort(key);
   if (held_) {
-    lane_network::keep_least<lanes>(key_, key);
+    lane_network::keep_least(key_, key);
   } else {
     unroll<rows>([&](auto r) __attribute__((always_inline)) { key_[r] = key[r]; });
     held_ = true;
@@ -123,8 +131,8 @@ inline std::uint32_t nearest_keys<K, Isa>::write(fragment* nearest, std::uint32_
   fragment column[K];
   if (!negative_) {
     unroll<rows>([&](auto r) __attribute__((always_inline)) {
-      const words word = lanes::template flip<1>((words)key_[r] - both(key_offset, 0u));
-      std::memcpy(column + r * lanes::key_count, &word, sizeof word);
+      const words word = flipped<1>(bits_as<words>(key_[r]) - both(key_offset, 0u));
+      std::memcpy(column + r * key_count, &word.lane, sizeof word.lane);
     });
   } else {
     std::uint64_t key[K];
@@ -134,7 +142,7 @@ inline std::uint32_t nearest_keys<K, Isa>::write(fragment* nearest, std::uint32_
     }
   }
   for (std::uint32_t i = 0u; i < k; ++i) {
-    nearest[i] = column[i % rows * lanes::key_count + i / rows];
+    nearest[i] = column[i % rows * key_count + i / rows];
   }
   std::uint32_t held = k;
   while (held > 0u && std::bit_cast<std::uint32_t>(nearest[held - 1u].depth) == blank_depth) {
@@ -146,7 +154,7 @@ inline std::uint32_t nearest_keys<K, Isa>::write(fragment* nearest, std::uint32_
 
 template <std::uint32_t K, vector_isa Isa>
 inline float nearest_keys<K, Isa>::bound() const noexcept {
-  const double last = key_[rows - 1u][lanes::key_count - 1u];
+  const double last = key_[rows - 1u].lane[key_count - 1u];
   const float depth = fragment_of(std::bit_cast<std::uint64_t>(last)).depth;
   return std::bit_cast<std::uint32_t>(depth) == blank_depth ? std::numeric_limits<float>::infinity() : depth;
 }
