@@ -52,6 +52,13 @@ struct cell {
   std::string doc;
 };
 
+/// A static_assert over sizes.
+struct condition {
+  std::set<std::string> sizes;  ///< their macros
+  std::string text;
+  std::string message;
+};
+
 /// One header and the .glsl that mirrors it.
 struct unit {
   std::string header;     ///< as a program includes it: pelage/order/k_buffer.hpp
@@ -61,8 +68,8 @@ struct unit {
   bool mirrored = false;  ///< already there: a library header seen from a user's
   std::string mirror_text;
   std::vector<const entity*> entities;
-  std::map<std::string, std::string> sizes;       ///< macros through which a shader picks a template's size: defaults
-  std::map<std::string, std::string> conditions;  ///< static_asserts over them: condition, message
+  std::map<std::string, std::string> sizes;  ///< macros through which a shader picks a template's size: defaults
+  std::vector<condition> conditions;         ///< in the header's order
   std::map<std::string, cell> cells;
   std::set<std::string> memory_orders;  ///< of the files below
   bool uses_int64 = false;

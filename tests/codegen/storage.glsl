@@ -8,34 +8,12 @@
 
 #ifndef FEATURES_TALLY_N
 #define FEATURES_TALLY_N 6
-#endif
-#if !(FEATURES_TALLY_N >= 1 && FEATURES_TALLY_N <= 16)
+#elif !(FEATURES_TALLY_N >= 1 && FEATURES_TALLY_N <= 16)
 #error features::tally: N must be in [1, 16]
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `features` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[FEATURES_HISTOGRAM_N] FEATURES_HISTOGRAM_N_has_one_value_in_a_shader();
-#endif
-#ifndef PELAGE_PREFIX
-uint[FEATURES_TALLY_N] FEATURES_TALLY_N_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(STORAGE_GLSL)
-#ifndef PELAGE_PREFIX
-#define STORAGE_GLSL
-#endif
-
-#if !defined(GL_EXT_shader_explicit_arithmetic_types_int64) && !defined(GL_ARB_gpu_shader_int64)
-#error storage.glsl needs 64-bit integers: the extension GL_EXT_shader_explicit_arithmetic_types_int64
-#endif
-#if !defined(GL_EXT_shader_atomic_int64) && !defined(GL_NV_shader_atomic_int64)
-#error storage.glsl needs 64-bit atomics: the extension GL_EXT_shader_atomic_int64
-#endif
-
-#include "core/memory_order.glsl"
-#include "core/memory_order_64.glsl"
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
@@ -46,7 +24,21 @@ uint[FEATURES_TALLY_N] FEATURES_TALLY_N_has_one_value_in_a_shader();
 #define features_place_in PELAGE_PASTE(PELAGE_PREFIX, _place_in)
 #define features_tally_add PELAGE_PASTE(PELAGE_PREFIX, _tally_add)
 #define features_tally_is_first PELAGE_PASTE(PELAGE_PREFIX, _tally_is_first)
+#else
+uint[FEATURES_HISTOGRAM_N] FEATURES_HISTOGRAM_N_has_one_value_in_a_shader();
+uint[FEATURES_TALLY_N] FEATURES_TALLY_N_has_one_value_in_a_shader();
 #endif
+#if defined(PELAGE_PREFIX) || !defined(STORAGE_GLSL)
+
+#if !defined(GL_EXT_shader_explicit_arithmetic_types_int64) && !defined(GL_ARB_gpu_shader_int64)
+#error storage.glsl needs 64-bit integers: the extension GL_EXT_shader_explicit_arithmetic_types_int64
+#endif
+#if !defined(GL_EXT_shader_atomic_int64) && !defined(GL_NV_shader_atomic_int64)
+#error storage.glsl needs 64-bit atomics: the extension GL_EXT_shader_atomic_int64
+#endif
+
+#include "core/memory_order.glsl"
+#include "core/memory_order_64.glsl"
 
 // The shader says where these cells lie before it includes this file; those that others write
 // meanwhile belong into a coherent buffer:
@@ -182,6 +174,8 @@ features_histogram features_load_histogram(uint first) {
 #undef features_place_in
 #undef features_tally_add
 #undef features_tally_is_first
+#else
+#define STORAGE_GLSL
 #endif
 
 #endif

@@ -4,20 +4,16 @@
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `fur` in the names, and include this file again.
-#if defined(PELAGE_PREFIX) || !defined(SHADING_GLSL)
-#ifndef PELAGE_PREFIX
-#define SHADING_GLSL
-#endif
-
-#include "pelage/glsl/bsdf/fresnel.glsl"
-#include "pelage/glsl/bsdf/kajiya_kay.glsl"
-#include "pelage/glsl/order/k_buffer.glsl"
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
 #define fur_nearest_depth PELAGE_PASTE(PELAGE_PREFIX, _nearest_depth)
 #endif
+#if defined(PELAGE_PREFIX) || !defined(SHADING_GLSL)
+
+#include "pelage/glsl/bsdf/fresnel.glsl"
+#include "pelage/glsl/bsdf/kajiya_kay.glsl"
+#include "pelage/glsl/order/k_buffer.glsl"
 
 /// A user's header, over GLM and the library: pelage-glsl translates it too.
 
@@ -51,6 +47,8 @@ float fur_nearest_depth(pelage_k_buffer buffer_of_pixel) {
 
 #ifdef PELAGE_PREFIX
 #undef fur_nearest_depth
+#else
+#define SHADING_GLSL
 #endif
 
 #endif
