@@ -67,7 +67,13 @@ void headers::note_doc(const NamespaceDecl* space) {
   std::regex_search(sources_.getCharacterData(space->getBeginLoc()), first, at_the_beginning,
                     std::regex_constants::match_continuous);
   for (const std::string& doc : {doc_of(space, false), first.str(1)}) {
-    if (u->doc.find(doc) == std::string::npos) u->doc += (u->doc.empty() ? "" : "\n") + doc;
+    if (doc.empty()) continue;
+    const auto known = llvm::find_if(u->docs, [&](const auto& one) { return one.second == doc; });
+    if (known == u->docs.end()) {
+      u->docs.emplace_back(qualified_name(space), doc);
+    } else {
+      known->first = qualified_name(space);  // at the beginning of one namespace, but above this one
+    }
   }
 }
 
@@ -75,6 +81,14 @@ std::vector<const unit*> headers::written() const {
   std::vector<const unit*> all;
   for (const auto& [entry, u] : units_) {
     if (u && !u->mirrored && !u->entities.empty()) all.push_back(u.get());
+  }
+  return all;
+}
+
+std::set<std::string> headers::mirrored() const {
+  std::set<std::string> all;
+  for (const auto& [entry, u] : units_) {
+    if (u && (u->mirrored || !u->entities.empty())) all.insert(u->header);
   }
   return all;
 }

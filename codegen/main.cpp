@@ -55,8 +55,9 @@ bool translate(clang::ASTUnit& ast, bool library, texts& files) {
   translator t(ast.getASTContext(), all, found);
   require_roots(ast.getASTContext().getTranslationUnitDecl(), all, t);
   t.finish();
+  const glossary words = {t.names(), all.mirrored()};
   for (const unit* u : all.written()) {
-    files[u->path] = file_text(*u, found);
+    files[u->path] = file_text(*u, words, found);
     for (const std::string& path : u->memory_orders)
       files[path] = memory_order_text(path);
   }

@@ -19,7 +19,7 @@ constexpr const char* divider =
 /// Lays GLSL out as the headers are laid out.
 std::string formatted(const std::string& code) {
   constexpr const char* layout =
-      "{BasedOnStyle: Google, ColumnLimit: 120, ReflowComments: false, SortIncludes: Never, "
+      "{BasedOnStyle: Google, ColumnLimit: 120, PenaltyBreakComment: 100, SortIncludes: Never, "
       "AllowShortLoopsOnASingleLine: "
       "false, AllowShortFunctionsOnASingleLine: None, AllowShortIfStatementsOnASingleLine: Never}";
   const auto style = llvm::cantFail(clang::format::getStyle(layout, "mirror.cpp", "none"));
@@ -175,11 +175,12 @@ constexpr const char* atomic_int64_check =
 #endif
 )";
 
-std::string cells_text(const unit& u) {
+std::string cells_text(const unit& u, const glossary& words) {
   std::string text;
   std::string checks;
   for (const auto& [name, c] : u.cells) {
-    text += "//   " + c.call + (c.doc.empty() ? "" : "  " + c.doc.substr(c.doc.find('<') + 2)) + "\n";
+    const std::string doc = words.in_glsl(c.doc, c.scope, u.header);
+    text += "//   " + c.call + (doc.empty() ? "" : "  " + doc.substr(doc.find('<') + 2)) + "\n";
     checks += filled("#ifndef {0}\n#error {1}: define {2} before the include\n#endif\n", name, u.path, c.call);
   }
   return u.cells.empty() ? text : R"(
@@ -208,7 +209,10 @@ class pieces {
 
 /// Declarations and documentation in the header's order, then the bodies that the header has below. `once`: the macro
 /// that is defined when the file has been included before, or nothing if it never is read twice.
-std::string code_text(const unit& u, const std::string& once) {
+std::string code_text(const unit& u, const std::string& once, const glossary& words) {
+  const auto worded = [&](const entity* e, const std::string& text) {
+    return words.in_glsl(text, e->qualified, u.header);
+  };
   std::vector<const entity*> all = u.entities;
   llvm::sort(all, [](auto* a, auto* b) { return a->declared_at < b->declared_at; });
   pieces above(once);
@@ -217,9 +221,9 @@ std::string code_text(const unit& u, const std::string& once) {
   for (const entity* e : all) {
     declared.insert(e);
     if (!e->is_function()) {
-      above.add(e, e->doc + e->declaration);
+      above.add(e, worded(e, e->doc + e->declaration));
     } else if (e->defined_at != e->declared_at.first) {
-      above.add(e, e->doc + e->declaration + ";");
+      above.add(e, worded(e, e->doc) + e->declaration + ";");
       later.push_back(e);
     } else {
       for (const auto& [needed, where] : e->needs) {
@@ -227,19 +231,19 @@ std::string code_text(const unit& u, const std::string& once) {
           above.add(needed, needed->declaration + ";");
         }
       }
-      above.add(e, e->doc + e->declaration + " " + e->body);
+      above.add(e, worded(e, e->doc + e->declaration + " " + e->body));
     }
   }
   llvm::sort(later, [](auto* a, auto* b) { return a->defined_at < b->defined_at; });
   pieces below(once);
   for (const entity* e : later)
-    below.add(e, e->declaration + " " + e->body);
+    below.add(e, worded(e, e->declaration + " " + e->body));
   return above.text() + (later.empty() ? "" : divider) + below.text();
 }
 
 }  // namespace
 
-std::string file_text(const unit& u, problems& found) {
+std::string file_text(const unit& u, const glossary& words, problems& found) {
   const bool sized = llvm::any_of(u.entities, std::mem_fn(&entity::sized));
   const bool mixed = sized && !llvm::all_of(u.entities, std::mem_fn(&entity::sized));
   const std::string once = guard(u.header);
@@ -249,8 +253,10 @@ std::string file_text(const unit& u, problems& found) {
   text += sized ? sizes_text(u) + prefix_text(u, names, includes) : filled("#ifndef {0}\n#define {0}\n", once);
   if (u.uses_int64) text += filled(int64_check, u.path);
   if (u.memory_orders.count(memory_order_64_path) != 0) text += filled(atomic_int64_check, u.path);
-  text += includes_text(u, includes) + borrowed_text(names) + cells_text(u) + (u.doc.empty() ? "" : "\n") + u.doc;
-  text += code_text(u, mixed ? once + "_ONCE" : "") + (mixed ? "\n#define " + once + "_ONCE\n" : "");
+  text += includes_text(u, includes) + borrowed_text(names) + cells_text(u, words);
+  for (const auto& [space, doc] : u.docs)
+    text += "\n" + words.in_glsl(doc, space, u.header);
+  text += code_text(u, mixed ? once + "_ONCE" : "", words) + (mixed ? "\n#define " + once + "_ONCE\n" : "");
   return formatted(text + (sized ? prefix_end(u, names) : "") + "\n#endif\n");
 }
 

@@ -115,6 +115,7 @@ void translator::set_templates(const Decl* d) {
         const parameter size = owner_of(one.of, i);
         if (is_size(size.declaration())) {
           const llvm::APSInt value = one.arguments[i].getAsIntegral();
+          fresh_->inner.emplace(one.of->getTemplateParameters()->getParam(i)->getName(), macro_name(size));
           size_values_.emplace_back(macro_name(size), value);
           values += llvm::toString(value, 10) + " ";
           if (unit* u = headers_.unit_of(file(size.of->getLocation()))) {

@@ -237,6 +237,7 @@ struct features_ring {
 };
 
 void features_ring_push(inout features_ring self, uint x) {
+  // `next` counts from 0, as features_empty_ring() leaves it.
   self.entry[self.next % FEATURES_RING_N] = x;
   ++self.next;
 }
@@ -250,6 +251,9 @@ features_ring features_empty_ring() {
   return r;
 }
 
+/// Names in comments are those of GLSL: features_empty_ring(), features_ring_push, features_sample_pair_of(),
+/// features_kind_flat, features_half_pi, `features_third`, `FEATURES_RING_N`, features.glsl. Others stay: a fold of the
+/// `entries` that one may push, `r`, r.push(), ring<N>::turn(), std::swap(), storage.hpp.
 uint features_fold(features_ring r) {
   uint entries[FEATURES_RING_N] = r.entry;
   uint sum = 0u;

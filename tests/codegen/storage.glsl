@@ -44,7 +44,7 @@ uint[FEATURES_TALLY_N] FEATURES_TALLY_N_has_one_value_in_a_shader();
 // meanwhile belong into a coherent buffer:
 //   FEATURES_CELLS_TOTAL  one cell
 //   FEATURES_CELLS_WIDES(i)  of 64 bits
-//   FEATURES_CELLS_WORDS(i)  of 32 bits
+//   FEATURES_CELLS_WORDS(i)  of 32 bits, features_cells_count() of them
 //   FEATURES_CELLS_WORDS_SIZE  how many of them
 #ifndef FEATURES_CELLS_TOTAL
 #error storage.glsl: define FEATURES_CELLS_TOTAL before the include

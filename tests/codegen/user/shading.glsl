@@ -25,7 +25,7 @@ struct fur_coat {
   float gloss;  ///< exponent of the highlight, [0, inf)
 };
 
-/// Light that a strand sends to the eye.
+/// Light that a strand sends to the eye: pelage_kajiya_kay() of bsdf/kajiya_kay.glsl, and a sheen.
 precise vec3 fur_shade(fur_coat c, vec3 tangent, vec3 to_light, vec3 to_eye) {
   const pelage_kajiya_kay_lobes lobes = pelage_kajiya_kay(tangent, to_light, to_eye, c.gloss);
   const float sheen = pelage_fresnel_dielectric(lobes.diffuse, 1.55);

@@ -16,7 +16,7 @@ struct coat {
   float gloss;  ///< exponent of the highlight, [0, inf)
 };
 
-/// Light that a strand sends to the eye.
+/// Light that a strand sends to the eye: pelage::kajiya_kay() of bsdf/kajiya_kay.hpp, and a sheen.
 [[nodiscard]] inline glm::vec3 shade(const coat& c, const glm::vec3& tangent, const glm::vec3& to_light,
                                      const glm::vec3& to_eye) noexcept {
   const pelage::kajiya_kay_lobes lobes = pelage::kajiya_kay(tangent, to_light, to_eye, c.gloss);
