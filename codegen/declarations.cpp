@@ -94,6 +94,11 @@ bool translator::begin(const NamedDecl* d) {
     slot(d).name = fresh_->name;
     slot(d).qualified = fresh_->qualified;
     slot(d).where = fresh_->where;
+    // What a prefix renames depends on a size.
+    if (fresh_->where->mirror_text.find("#undef " + fresh_->name + "\n") != std::string::npos) {
+      for (const auto& [macro, value] : fresh_->where->sizes)
+        slot(d).sizes.insert(macro);
+    }
     return false;
   }
   if (d->getDeclContext()->isTranslationUnit() || fresh_->name.find("__") != std::string::npos) {

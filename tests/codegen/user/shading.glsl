@@ -7,6 +7,7 @@
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
+#define fur_is_bare PELAGE_PASTE(PELAGE_PREFIX, _is_bare)
 #define fur_nearest_depth PELAGE_PASTE(PELAGE_PREFIX, _nearest_depth)
 #endif
 #if defined(PELAGE_PREFIX) || !defined(SHADING_GLSL)
@@ -14,6 +15,11 @@
 #include "pelage/glsl/bsdf/fresnel.glsl"
 #include "pelage/glsl/bsdf/kajiya_kay.glsl"
 #include "pelage/glsl/order/k_buffer.glsl"
+
+#ifdef PELAGE_PREFIX
+#define pelage_k_buffer PELAGE_PASTE(PELAGE_PREFIX, _k_buffer)
+#define pelage_k_buffer_size PELAGE_PASTE(PELAGE_PREFIX, _k_buffer_size)
+#endif
 
 /// A user's header, over GLM and the library: pelage-glsl translates it too.
 
@@ -43,10 +49,18 @@ float fur_nearest_depth(pelage_k_buffer buffer_of_pixel) {
   return depth;
 }
 
+/// True for a buffer that holds nothing.
+bool fur_is_bare(pelage_k_buffer buffer_of_pixel) {
+  return pelage_k_buffer_size(buffer_of_pixel) == 0u;
+}
+
 #define SHADING_GLSL_ONCE
 
 #ifdef PELAGE_PREFIX
+#undef fur_is_bare
 #undef fur_nearest_depth
+#undef pelage_k_buffer
+#undef pelage_k_buffer_size
 #else
 #define SHADING_GLSL
 #endif

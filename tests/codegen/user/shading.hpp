@@ -34,4 +34,10 @@ template <std::uint32_t K>
   return depth;
 }
 
+/// True for a buffer that holds nothing.
+template <std::uint32_t K>
+[[nodiscard]] bool is_bare(const pelage::k_buffer<K>& buffer_of_pixel) noexcept {
+  return buffer_of_pixel.size() == 0u;
+}
+
 }  // namespace fur
