@@ -51,7 +51,7 @@ void require_roots(const clang::DeclContext* scope, headers& all, translator& t)
 /// Every file of the mirror. False, and every reason on stderr, where one cannot be written.
 bool translate(clang::ASTUnit& ast, bool library, texts& files) {
   problems found(ast.getSourceManager());
-  headers all(ast, library);
+  headers all(ast.getPreprocessor(), library);
   translator t(ast.getASTContext(), all, found);
   require_roots(ast.getASTContext().getTranslationUnitDecl(), all, t);
   t.finish();

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <clang/Frontend/ASTUnit.h>
+#include <clang/AST/Decl.h>
+#include <clang/Basic/SourceManager.h>
 
 #include <map>
 #include <memory>
@@ -10,6 +11,10 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+namespace clang {
+class Preprocessor;
+}
 
 namespace pelage::codegen {
 
@@ -82,7 +87,7 @@ struct unit {
 class headers {
  public:
   /// `library`: the headers of pelage/ are what is written, not what is there already.
-  headers(clang::ASTUnit& ast, bool library);
+  headers(clang::Preprocessor& preprocessor, bool library);
 
   /// The unit of a header of ours or of the translation unit's own file, or null for the rest of the world.
   unit* unit_of(clang::FileID file);
@@ -100,7 +105,7 @@ class headers {
   [[nodiscard]] std::set<std::string> mirrored() const;
 
  private:
-  clang::ASTUnit& ast_;
+  clang::Preprocessor& preprocessor_;
   clang::SourceManager& sources_;
   bool library_;
   std::set<const clang::FileEntry*> named_;  ///< included by the translation unit's own file
