@@ -59,12 +59,24 @@ void translator::finish() {
   mark_sized();
 }
 
+std::map<std::string, std::string> translator::names() const {
+  std::map<std::string, std::string> all;
+  for (const auto& [decl, e] : entities_) {
+    if (e->where == nullptr) continue;
+    all.emplace(e->qualified, e->name);
+    for (const auto& [name, in_glsl] : e->inner)
+      all.emplace(e->qualified + "::" + name, in_glsl);
+  }
+  return all;
+}
+
 /// Starts a definition. False where there is nothing to write: the place is not ours, or is mirrored already.
 bool translator::begin(const NamedDecl* d) {
   const NamedDecl* pattern = pattern_of(d);
   const SourceLocation where = whole(pattern)->getBeginLoc();
   fresh_ = std::make_unique<entity>();
   fresh_->name = global_name(d);
+  fresh_->qualified = qualified_name(d);
   fresh_->location = d->getLocation();
   locals_.clear();
   renamed_.clear();
@@ -80,7 +92,13 @@ bool translator::begin(const NamedDecl* d) {
       reject(where, d->getQualifiedNameAsString() + " is not in the mirror " + fresh_->where->include);
     }
     slot(d).name = fresh_->name;
+    slot(d).qualified = fresh_->qualified;
     slot(d).where = fresh_->where;
+    // What a prefix renames depends on a size.
+    if (fresh_->where->mirror_text.find("#undef " + fresh_->name + "\n") != std::string::npos) {
+      for (const auto& [macro, value] : fresh_->where->sizes)
+        slot(d).sizes.insert(macro);
+    }
     return false;
   }
   if (d->getDeclContext()->isTranslationUnit() || fresh_->name.find("__") != std::string::npos) {
@@ -104,6 +122,8 @@ void translator::end(const NamedDecl* d) {
       reject(where, "the local name `" + needed->name + "` hides the function or constant of that name in GLSL");
     }
   }
+  for (const auto& [variable, name] : renamed_)
+    fresh_->inner.emplace(variable->getName(), name);
   entity& place = slot(d);
   if (place.name.empty()) {
     place = std::move(*fresh_);
@@ -175,6 +195,7 @@ std::string translator::parameters(const FunctionDecl* f) {
   for (const ParmVarDecl* p : f->parameters()) {
     if (is_storage(p->getType())) {
       if (!p->getType()->isReferenceType()) reject(p->getLocation(), "storage by value: pass it by reference");
+      fresh_->inner.emplace(p->getName(), p->getName());
       continue;
     }
     if (p->getType()->isRValueReferenceType()) reject(p->getLocation(), "rvalue reference");
@@ -201,6 +222,7 @@ void translator::translate_record(const CXXRecordDecl* r) {
                                   {f->getType()->isReferenceType(), "reference as a member"},
                                   {f->hasInClassInitializer(), "member with a default value"}});
     check_name(f->getNameAsString(), true, f->getLocation());
+    fresh_->inner.emplace(f->getName(), f->getName());
     text += doc_of(f, false) + declared(f, f->getNameAsString()) + ";  " + doc_of(f, true) + "\n";
   }
   fresh_->declaration = text + "};";
@@ -215,6 +237,7 @@ void translator::translate_enum(const EnumDecl* e) {
   if (!begin(e)) return;
   const std::string type = scalar_type(e->getIntegerType(), e->getLocation());
   for (const EnumConstantDecl* c : e->enumerators()) {
+    fresh_->inner.emplace(c->getName(), fresh_->name + "_" + c->getName().str());
     fresh_->declaration += filled("const {0} {1}_{2} = {3}{4};  {5}\n", type, fresh_->name, c->getName(),
                                   llvm::toString(c->getInitVal(), 10), type == "uint" ? "u" : "", doc_of(c, true));
   }

@@ -13,8 +13,9 @@ namespace pelage::codegen {
 
 using namespace clang;
 
-headers::headers(ASTUnit& ast, bool library) : ast_(ast), sources_(ast.getSourceManager()), library_(library) {
-  for (const PreprocessedEntity* entity : *ast.getPreprocessor().getPreprocessingRecord()) {
+headers::headers(Preprocessor& preprocessor, bool library)
+    : preprocessor_(preprocessor), sources_(preprocessor.getSourceManager()), library_(library) {
+  for (const PreprocessedEntity* entity : *preprocessor.getPreprocessingRecord()) {
     const auto* include = dyn_cast<InclusionDirective>(entity);
     if (include != nullptr && sources_.isInMainFile(entity->getSourceRange().getBegin())) {
       named_.insert(include->getFile());
@@ -27,10 +28,11 @@ unit* headers::unit_of(FileID file) {
   const auto [place, fresh] = units_.try_emplace(entry);
   if (!fresh || entry == nullptr) return place->second.get();
   const bool main = file == sources_.getMainFileID();
+  const llvm::StringRef main_name = sources_.getFileEntryForID(sources_.getMainFileID())->getName();
   if (!main && sources_.isInSystemHeader(sources_.getLocForStartOfFile(file))) return nullptr;
-  const std::string header = main ? std::filesystem::path(ast_.getMainFileName().str()).filename().string()
-                                  : ast_.getPreprocessor().getHeaderSearchInfo().suggestPathToFileForDiagnostics(
-                                        entry, ast_.getMainFileName());
+  const std::string header =
+      main ? std::filesystem::path(main_name.str()).filename().string()
+           : preprocessor_.getHeaderSearchInfo().suggestPathToFileForDiagnostics(entry, main_name);
   if (header.rfind("glm/", 0) == 0) return nullptr;
   const bool ours = header.rfind("pelage/", 0) == 0;
   std::filesystem::path path = ours ? header.substr(7) : header;
@@ -67,7 +69,13 @@ void headers::note_doc(const NamespaceDecl* space) {
   std::regex_search(sources_.getCharacterData(space->getBeginLoc()), first, at_the_beginning,
                     std::regex_constants::match_continuous);
   for (const std::string& doc : {doc_of(space, false), first.str(1)}) {
-    if (u->doc.find(doc) == std::string::npos) u->doc += (u->doc.empty() ? "" : "\n") + doc;
+    if (doc.empty()) continue;
+    const auto known = llvm::find_if(u->docs, [&](const auto& one) { return one.second == doc; });
+    if (known == u->docs.end()) {
+      u->docs.emplace_back(qualified_name(space), doc);
+    } else {
+      known->first = qualified_name(space);  // at the beginning of one namespace, but above this one
+    }
   }
 }
 
@@ -75,6 +83,14 @@ std::vector<const unit*> headers::written() const {
   std::vector<const unit*> all;
   for (const auto& [entry, u] : units_) {
     if (u && !u->mirrored && !u->entities.empty()) all.push_back(u.get());
+  }
+  return all;
+}
+
+std::set<std::string> headers::mirrored() const {
+  std::set<std::string> all;
+  for (const auto& [entry, u] : units_) {
+    if (u && (u->mirrored || !u->entities.empty())) all.insert(u->header);
   }
   return all;
 }

@@ -51,12 +51,13 @@ void require_roots(const clang::DeclContext* scope, headers& all, translator& t)
 /// Every file of the mirror. False, and every reason on stderr, where one cannot be written.
 bool translate(clang::ASTUnit& ast, bool library, texts& files) {
   problems found(ast.getSourceManager());
-  headers all(ast, library);
+  headers all(ast.getPreprocessor(), library);
   translator t(ast.getASTContext(), all, found);
   require_roots(ast.getASTContext().getTranslationUnitDecl(), all, t);
   t.finish();
+  const glossary words = {t.names(), all.mirrored()};
   for (const unit* u : all.written()) {
-    files[u->path] = file_text(*u, found);
+    files[u->path] = file_text(*u, words, found);
     for (const std::string& path : u->memory_orders)
       files[path] = memory_order_text(path);
   }

@@ -70,16 +70,20 @@ std::string operator_name(const clang::NamedDecl* d) {
       .Default("");
 }
 
-std::string global_name(const clang::NamedDecl* d) {
+std::string qualified_name(const clang::NamedDecl* d) {
   std::string name = d->getDeclName().isIdentifier() ? d->getName().str() : operator_name(d);
   for (const clang::DeclContext* c = d->getDeclContext(); c != nullptr; c = c->getParent()) {
     const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(c);
     const bool silent = space != nullptr && (space->isAnonymousNamespace() || space->isInline());
     if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(c); named != nullptr && !silent) {
-      name = named->getNameAsString() + "_" + name;
+      name = named->getNameAsString() + "::" + name;
     }
   }
   return name;
+}
+
+std::string global_name(const clang::NamedDecl* d) {
+  return std::regex_replace(qualified_name(d), std::regex("::"), "_");
 }
 
 std::string bad_name(const std::string& name, bool is_field) {

@@ -19,7 +19,7 @@ constexpr const char* divider =
 /// Lays GLSL out as the headers are laid out.
 std::string formatted(const std::string& code) {
   constexpr const char* layout =
-      "{BasedOnStyle: Google, ColumnLimit: 120, ReflowComments: false, SortIncludes: Never, "
+      "{BasedOnStyle: Google, ColumnLimit: 120, PenaltyBreakComment: 100, SortIncludes: Never, "
       "AllowShortLoopsOnASingleLine: "
       "false, AllowShortFunctionsOnASingleLine: None, AllowShortIfStatementsOnASingleLine: Never}";
   const auto style = llvm::cantFail(clang::format::getStyle(layout, "mirror.cpp", "none"));
@@ -38,8 +38,10 @@ std::string include_line(const unit& from, const std::string& path) {
   return "#include \"" + (beside ? std::filesystem::path(path).lexically_relative(folder).string() : path) + "\"\n";
 }
 
-/// All that a file includes. Defines the sizes of each, and checks that no one else chose others.
-std::string includes_text(const unit& u, problems& found) {
+using bindings = std::map<std::string, std::string>;
+
+/// Every file that a file includes, with the values of its sizes. Checks that no one else chose others.
+std::vector<std::pair<const unit*, bindings>> includes_of(const unit& u, problems& found) {
   std::map<std::string, const unit*> others;
   std::set<std::tuple<std::string, std::string, clang::SourceLocation>> all;  // macros, values, whose
   for (const entity* e : u.entities) {
@@ -52,67 +54,113 @@ std::string includes_text(const unit& u, problems& found) {
       found.add(e->location, "a second size of one template, " + macro + " = " + value + ": a file holds one");
     }
   }
+  std::vector<std::pair<const unit*, bindings>> result;
+  for (const auto& [header, other] : others) {
+    bindings& chosen = result.emplace_back(other, bindings()).second;
+    for (const auto& [macro, value, where] : all) {
+      if (other->sizes.count(macro) == 0) continue;
+      const std::string& known = chosen.try_emplace(macro, value).first->second;
+      if (known != value) found.add(where, "two sizes of one template, " + macro + " = " + known + " and " + value);
+    }
+  }
+  return result;
+}
+
+/// All that a file includes, each after the sizes that it has here.
+std::string includes_text(const unit& u, const std::vector<std::pair<const unit*, bindings>>& includes) {
   std::string text;
   for (const std::string& path : u.memory_orders)
     text += include_line(u, path);
-  for (const auto& [header, other] : others) {
-    std::map<std::string, std::string> bindings;
-    for (const auto& [macro, value, where] : all) {
-      if (other->sizes.count(macro) == 0) continue;
-      const std::string& known = bindings.try_emplace(macro, value).first->second;
-      if (known != value) found.add(where, "two sizes of one template, " + macro + " = " + known + " and " + value);
-    }
-    for (const auto& [macro, value] : bindings) {
-      text += filled("#ifdef PELAGE_PREFIX\n#undef {0}\n#endif\n#ifndef {0}\n#define {0} {1}\n#endif\n", macro, value);
+  for (const auto& [other, chosen] : includes) {
+    for (const auto& [macro, value] : chosen) {
+      text += filled(
+          "#ifndef {0}\n#define {0} {1}\n#elif {0} != {2}\n#error {3}: {0} is in use with another value, define "
+          "PELAGE_PREFIX for a second one\n#endif\n",
+          macro, value, preprocessed(value), u.path);
     }
     text += include_line(u, other->include.empty() ? other->path : other->include);
-    for (const auto& [macro, value] : bindings) {
-      text += filled(
-          "#if {0} != {1}\n#error {2}: {0} is in use with another value, define PELAGE_PREFIX for a second "
-          "one\n#endif\n",
-          macro, preprocessed(value), u.path);
-    }
   }
   return text.empty() ? text : "\n" + text;
 }
 
-/// The sizes that a shader may choose, and the guard of a file that can be included once for each choice.
+/// The sizes that a shader may choose: a default for each, or an #error where a choice cannot be. Defaults can.
 std::string sizes_text(const unit& u) {
   std::string text;
-  for (const auto& [macro, value] : u.sizes)
-    text += filled("\n#ifndef {0}\n#define {0} {1}\n#endif\n", macro, value);
-  for (const auto& [condition, message] : u.conditions)
-    text += filled("#if !({0})\n#error {1}\n#endif\n", condition, message);
-  text += filled(R"(
-// For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
-// `{0}` in the names, and include this file again.
-)",
-                 llvm::StringRef(u.entities.front()->name).split('_').first);
-  for (const auto& [macro, value] : u.sizes)
-    text += filled("#ifndef PELAGE_PREFIX\nuint[{0}] {0}_has_one_value_in_a_shader();\n#endif\n", macro);
-  return text + filled("#if defined(PELAGE_PREFIX) || !defined({0})\n#ifndef PELAGE_PREFIX\n#define {0}\n#endif\n",
-                       guard(u.header));
+  for (const auto& [macro, value] : u.sizes) {
+    text += filled("\n#ifndef {0}\n#define {0} {1}\n", macro, value);
+    for (const condition& c : u.conditions) {
+      if (c.sizes == std::set<std::string>{macro}) text += filled("#elif !({0})\n#error {1}\n", c.text, c.message);
+    }
+    text += "#endif\n";
+  }
+  std::string several;
+  for (const condition& c : u.conditions) {
+    if (c.sizes.size() == 1) continue;
+    several += filled("#{0} !({1})\n#error {2}\n", several.empty() ? "if" : "elif", c.text, c.message);
+  }
+  return several.empty() ? text : text + several + "#endif\n";
 }
 
-/// With PELAGE_PREFIX the names of all that depends on a size are others for the length of the file. The lines that
-/// define them, and those that undefine them.
-std::pair<std::string, std::string> prefix_names(const unit& u) {
-  std::set<std::string> names;
+std::string prefixed_name(const std::string& name) {
+  return "#define " + name + " PELAGE_PASTE(PELAGE_PREFIX, " + name.substr(name.find('_')) + ")\n";
+}
+
+/// With PELAGE_PREFIX the names of all that depends on a size are others for the length of the file.
+struct sized_names {
+  std::set<std::string> own;
+  std::set<std::string> borrowed;  ///< of files included, which have their own names back at their ends
+};
+
+sized_names sized_names_of(const unit& u) {
+  sized_names names;
   for (const entity* e : u.entities) {
-    if (e->sized) names.insert(e->name);
+    if (e->sized) names.own.insert(e->name);
     for (const auto& [needed, where] : e->needs) {
-      if (needed->sized) names.insert(needed->name);
+      if (needed->sized && needed->where != &u) names.borrowed.insert(needed->name);
     }
   }
-  std::string define =
-      "\n#ifdef PELAGE_PREFIX\n#define PELAGE_PASTE_(prefix, name) prefix##name\n"
-      "#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)\n";
-  std::string undefine = "\n#ifdef PELAGE_PREFIX\n";
-  for (const std::string& name : names) {
-    define += "#define " + name + " PELAGE_PASTE(PELAGE_PREFIX, " + name.substr(name.find('_')) + ")\n";
-    undefine += "#undef " + name + "\n";
+  return names;
+}
+
+/// The guard of a file that can be included once for each size.
+std::string prefix_text(const unit& u, const sized_names& names,
+                        const std::vector<std::pair<const unit*, bindings>>& includes) {
+  std::string text = filled(R"(
+// For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
+// `{0}` in the names, and include this file again.
+#ifdef PELAGE_PREFIX
+)",
+                            llvm::StringRef(u.entities.front()->name).split('_').first);
+  for (const auto& [other, chosen] : includes) {
+    for (const auto& [macro, value] : chosen)
+      text += "#undef " + macro + "\n";
   }
-  return {define + "#endif\n", undefine + "#endif\n"};
+  text +=
+      "#define PELAGE_PASTE_(prefix, name) prefix##name\n"
+      "#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)\n";
+  for (const std::string& name : names.own)
+    text += prefixed_name(name);
+  if (!u.sizes.empty()) text += "#else\n";
+  for (const auto& [macro, value] : u.sizes)
+    text += filled("uint[{0}] {0}_has_one_value_in_a_shader();\n", macro);
+  return text + filled("#endif\n#if defined(PELAGE_PREFIX) || !defined({0})\n", guard(u.header));
+}
+
+std::string borrowed_text(const sized_names& names) {
+  std::string text;
+  for (const std::string& name : names.borrowed)
+    text += prefixed_name(name);
+  return text.empty() ? text : "\n#ifdef PELAGE_PREFIX\n" + text + "#endif\n";
+}
+
+/// The end of what prefix_text() begins.
+std::string prefix_end(const unit& u, const sized_names& names) {
+  std::string text = "\n#ifdef PELAGE_PREFIX\n";
+  std::set<std::string> all = names.own;
+  all.insert(names.borrowed.begin(), names.borrowed.end());
+  for (const std::string& name : all)
+    text += "#undef " + name + "\n";
+  return text + "#else\n#define " + guard(u.header) + "\n#endif\n";
 }
 
 constexpr const char* int64_check = R"(
@@ -127,11 +175,12 @@ constexpr const char* atomic_int64_check =
 #endif
 )";
 
-std::string cells_text(const unit& u) {
+std::string cells_text(const unit& u, const glossary& words) {
   std::string text;
   std::string checks;
   for (const auto& [name, c] : u.cells) {
-    text += "//   " + c.call + (c.doc.empty() ? "" : "  " + c.doc.substr(c.doc.find('<') + 2)) + "\n";
+    const std::string doc = words.in_glsl(c.doc, c.scope, u.header);
+    text += "//   " + c.call + (doc.empty() ? "" : "  " + doc.substr(doc.find('<') + 2)) + "\n";
     checks += filled("#ifndef {0}\n#error {1}: define {2} before the include\n#endif\n", name, u.path, c.call);
   }
   return u.cells.empty() ? text : R"(
@@ -160,7 +209,10 @@ class pieces {
 
 /// Declarations and documentation in the header's order, then the bodies that the header has below. `once`: the macro
 /// that is defined when the file has been included before, or nothing if it never is read twice.
-std::string code_text(const unit& u, const std::string& once) {
+std::string code_text(const unit& u, const std::string& once, const glossary& words) {
+  const auto worded = [&](const entity* e, const std::string& text) {
+    return words.in_glsl(text, e->qualified, u.header);
+  };
   std::vector<const entity*> all = u.entities;
   llvm::sort(all, [](auto* a, auto* b) { return a->declared_at < b->declared_at; });
   pieces above(once);
@@ -169,9 +221,9 @@ std::string code_text(const unit& u, const std::string& once) {
   for (const entity* e : all) {
     declared.insert(e);
     if (!e->is_function()) {
-      above.add(e, e->doc + e->declaration);
+      above.add(e, worded(e, e->doc + e->declaration));
     } else if (e->defined_at != e->declared_at.first) {
-      above.add(e, e->doc + e->declaration + ";");
+      above.add(e, worded(e, e->doc) + e->declaration + ";");
       later.push_back(e);
     } else {
       for (const auto& [needed, where] : e->needs) {
@@ -179,30 +231,33 @@ std::string code_text(const unit& u, const std::string& once) {
           above.add(needed, needed->declaration + ";");
         }
       }
-      above.add(e, e->doc + e->declaration + " " + e->body);
+      above.add(e, worded(e, e->doc + e->declaration + " " + e->body));
     }
   }
   llvm::sort(later, [](auto* a, auto* b) { return a->defined_at < b->defined_at; });
   pieces below(once);
   for (const entity* e : later)
-    below.add(e, e->declaration + " " + e->body);
+    below.add(e, worded(e, e->declaration + " " + e->body));
   return above.text() + (later.empty() ? "" : divider) + below.text();
 }
 
 }  // namespace
 
-std::string file_text(const unit& u, problems& found) {
+std::string file_text(const unit& u, const glossary& words, problems& found) {
   const bool sized = llvm::any_of(u.entities, std::mem_fn(&entity::sized));
   const bool mixed = sized && !llvm::all_of(u.entities, std::mem_fn(&entity::sized));
   const std::string once = guard(u.header);
-  const auto [define, undefine] = sized ? prefix_names(u) : std::pair<std::string, std::string>();
+  const auto includes = includes_of(u, found);
+  const sized_names names = sized_names_of(u);
   std::string text = std::string(licence) + "// Generated by pelage-glsl from " + u.header + ": change that one.\n";
-  text += sized ? sizes_text(u) : filled("#ifndef {0}\n#define {0}\n", once);
+  text += sized ? sizes_text(u) + prefix_text(u, names, includes) : filled("#ifndef {0}\n#define {0}\n", once);
   if (u.uses_int64) text += filled(int64_check, u.path);
   if (u.memory_orders.count(memory_order_64_path) != 0) text += filled(atomic_int64_check, u.path);
-  text += includes_text(u, found) + define + cells_text(u) + (u.doc.empty() ? "" : "\n") + u.doc;
-  text += code_text(u, mixed ? once + "_ONCE" : "") + (mixed ? "\n#define " + once + "_ONCE\n" : "") + undefine;
-  return formatted(text + "\n#endif\n");
+  text += includes_text(u, includes) + borrowed_text(names) + cells_text(u, words);
+  for (const auto& [space, doc] : u.docs)
+    text += "\n" + words.in_glsl(doc, space, u.header);
+  text += code_text(u, mixed ? once + "_ONCE" : "", words) + (mixed ? "\n#define " + once + "_ONCE\n" : "");
+  return formatted(text + (sized ? prefix_end(u, names) : "") + "\n#endif\n");
 }
 
 }  // namespace pelage::codegen

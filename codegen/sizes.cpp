@@ -115,6 +115,7 @@ void translator::set_templates(const Decl* d) {
         const parameter size = owner_of(one.of, i);
         if (is_size(size.declaration())) {
           const llvm::APSInt value = one.arguments[i].getAsIntegral();
+          fresh_->inner.emplace(one.of->getTemplateParameters()->getParam(i)->getName(), macro_name(size));
           size_values_.emplace_back(macro_name(size), value);
           values += llvm::toString(value, 10) + " ";
           if (unit* u = headers_.unit_of(file(size.of->getLocation()))) {
@@ -134,8 +135,13 @@ void translator::set_templates(const Decl* d) {
 /// A static_assert over sizes becomes an #error in the mirror.
 void translator::note_condition(const StaticAssertDecl* check) {
   if (check->getMessage() == nullptr || !has_size(check->getAssertExpr())) return;
-  const std::string condition = preprocessed(glsl(check->getAssertExpr()->IgnoreImplicit()));
-  fresh_->where->conditions.emplace(condition, check->getMessage()->getString().str());
+  const std::set<std::string> before = std::exchange(fresh_->sizes, {});
+  const std::string text = preprocessed(glsl(check->getAssertExpr()->IgnoreImplicit()));
+  std::vector<condition>& all = fresh_->where->conditions;
+  if (llvm::none_of(all, [&](const condition& c) { return c.text == text; })) {
+    all.push_back({fresh_->sizes, text, check->getMessage()->getString().str()});
+  }
+  fresh_->sizes.insert(before.begin(), before.end());
 }
 
 /// What the sizes of something used here are, in terms of the sizes here: as written in `f<2u * K>`, else the size here

@@ -16,7 +16,8 @@ std::string translator::cell_macro(const Expr* e, const std::string& suffix, con
     return reject(e, "spans and pointers can only be members of storage, reached by its functions");
   }
   const std::string name = llvm::StringRef(global_name(f)).upper() + suffix;
-  fresh_->where->cells[name] = {name + parameter, suffix.empty() ? doc_of(f, true) : "///< how many of them"};
+  fresh_->where->cells[name] = {name + parameter, suffix.empty() ? doc_of(f, true) : "///< how many of them",
+                                qualified_name(f->getParent())};
   return name;
 }
 

@@ -50,6 +50,9 @@ class translator {
   /// became one, sizes seen only once.
   void finish();
 
+  /// What was translated, and the names within.
+  [[nodiscard]] std::map<std::string, std::string> names() const;
+
   /// A struct of nothing but spans and pointers says where data lies: it vanishes from signatures.
   [[nodiscard]] static bool is_storage(const clang::CXXRecordDecl* r);
   [[nodiscard]] static bool is_storage(clang::QualType t) {

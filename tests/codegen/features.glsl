@@ -4,25 +4,12 @@
 
 #ifndef FEATURES_RING_N
 #define FEATURES_RING_N 6
-#endif
-#if !(FEATURES_RING_N >= 2 && FEATURES_RING_N <= 32)
+#elif !(FEATURES_RING_N >= 2 && FEATURES_RING_N <= 32)
 #error features::ring<N>: N must be in [2, 32]
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `features` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[FEATURES_RING_N] FEATURES_RING_N_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(FEATURES_GLSL)
-#ifndef PELAGE_PREFIX
-#define FEATURES_GLSL
-#endif
-
-#if !defined(GL_EXT_shader_explicit_arithmetic_types_int64) && !defined(GL_ARB_gpu_shader_int64)
-#error features.glsl needs 64-bit integers: the extension GL_EXT_shader_explicit_arithmetic_types_int64
-#endif
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
@@ -30,6 +17,13 @@ uint[FEATURES_RING_N] FEATURES_RING_N_has_one_value_in_a_shader();
 #define features_fold PELAGE_PASTE(PELAGE_PREFIX, _fold)
 #define features_ring PELAGE_PASTE(PELAGE_PREFIX, _ring)
 #define features_ring_push PELAGE_PASTE(PELAGE_PREFIX, _ring_push)
+#else
+uint[FEATURES_RING_N] FEATURES_RING_N_has_one_value_in_a_shader();
+#endif
+#if defined(PELAGE_PREFIX) || !defined(FEATURES_GLSL)
+
+#if !defined(GL_EXT_shader_explicit_arithmetic_types_int64) && !defined(GL_ARB_gpu_shader_int64)
+#error features.glsl needs 64-bit integers: the extension GL_EXT_shader_explicit_arithmetic_types_int64
 #endif
 
 /// One function for each feature of the subset, compared with its translation in features.glsl and run on a device.
@@ -243,6 +237,7 @@ struct features_ring {
 };
 
 void features_ring_push(inout features_ring self, uint x) {
+  // `next` counts from 0, as features_empty_ring() leaves it.
   self.entry[self.next % FEATURES_RING_N] = x;
   ++self.next;
 }
@@ -256,6 +251,9 @@ features_ring features_empty_ring() {
   return r;
 }
 
+/// Names in comments are those of GLSL: features_empty_ring(), features_ring_push, features_sample_pair_of(),
+/// features_kind_flat, features_half_pi, `features_third`, `FEATURES_RING_N`, features.glsl. Others stay: a fold of the
+/// `entries` that one may push, `r`, r.push(), ring<N>::turn(), std::swap(), storage.hpp.
 uint features_fold(features_ring r) {
   uint entries[FEATURES_RING_N] = r.entry;
   uint sum = 0u;
@@ -274,6 +272,8 @@ uint features_fold(features_ring r) {
 #undef features_fold
 #undef features_ring
 #undef features_ring_push
+#else
+#define FEATURES_GLSL
 #endif
 
 #endif

@@ -225,6 +225,7 @@ struct ring {
   std::uint32_t next;
 
   void push(std::uint32_t x) noexcept {
+    // `next` counts from 0, as empty_ring() leaves it.
     entry[next % N] = x;
     ++next;
   }
@@ -240,6 +241,9 @@ template <std::uint32_t N>
   return r;
 }
 
+/// Names in comments are those of GLSL: empty_ring(), ring<N>::push, features::sample_pair::of(), kind::flat, half_pi,
+/// `third`, `N`, features.hpp. Others stay: a fold of the `entries` that one may push, `r`, r.push(), ring<N>::turn(),
+/// std::swap(), storage.hpp.
 template <std::uint32_t N>
 [[nodiscard]] std::uint32_t fold(const ring<N>& r) noexcept {
   auto entries = r.entry;

@@ -8,23 +8,27 @@
 
 #ifndef FEATURES_TALLY_N
 #define FEATURES_TALLY_N 6
-#endif
-#if !(FEATURES_TALLY_N >= 1 && FEATURES_TALLY_N <= 16)
+#elif !(FEATURES_TALLY_N >= 1 && FEATURES_TALLY_N <= 16)
 #error features::tally: N must be in [1, 16]
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `features` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
+#ifdef PELAGE_PREFIX
+#define PELAGE_PASTE_(prefix, name) prefix##name
+#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
+#define features_histogram PELAGE_PASTE(PELAGE_PREFIX, _histogram)
+#define features_histogram_bins PELAGE_PASTE(PELAGE_PREFIX, _histogram_bins)
+#define features_histogram_store PELAGE_PASTE(PELAGE_PREFIX, _histogram_store)
+#define features_load_histogram PELAGE_PASTE(PELAGE_PREFIX, _load_histogram)
+#define features_place_in PELAGE_PASTE(PELAGE_PREFIX, _place_in)
+#define features_tally_add PELAGE_PASTE(PELAGE_PREFIX, _tally_add)
+#define features_tally_is_first PELAGE_PASTE(PELAGE_PREFIX, _tally_is_first)
+#else
 uint[FEATURES_HISTOGRAM_N] FEATURES_HISTOGRAM_N_has_one_value_in_a_shader();
-#endif
-#ifndef PELAGE_PREFIX
 uint[FEATURES_TALLY_N] FEATURES_TALLY_N_has_one_value_in_a_shader();
 #endif
 #if defined(PELAGE_PREFIX) || !defined(STORAGE_GLSL)
-#ifndef PELAGE_PREFIX
-#define STORAGE_GLSL
-#endif
 
 #if !defined(GL_EXT_shader_explicit_arithmetic_types_int64) && !defined(GL_ARB_gpu_shader_int64)
 #error storage.glsl needs 64-bit integers: the extension GL_EXT_shader_explicit_arithmetic_types_int64
@@ -36,23 +40,11 @@ uint[FEATURES_TALLY_N] FEATURES_TALLY_N_has_one_value_in_a_shader();
 #include "core/memory_order.glsl"
 #include "core/memory_order_64.glsl"
 
-#ifdef PELAGE_PREFIX
-#define PELAGE_PASTE_(prefix, name) prefix##name
-#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
-#define features_histogram PELAGE_PASTE(PELAGE_PREFIX, _histogram)
-#define features_histogram_bins PELAGE_PASTE(PELAGE_PREFIX, _histogram_bins)
-#define features_histogram_store PELAGE_PASTE(PELAGE_PREFIX, _histogram_store)
-#define features_load_histogram PELAGE_PASTE(PELAGE_PREFIX, _load_histogram)
-#define features_place_in PELAGE_PASTE(PELAGE_PREFIX, _place_in)
-#define features_tally_add PELAGE_PASTE(PELAGE_PREFIX, _tally_add)
-#define features_tally_is_first PELAGE_PASTE(PELAGE_PREFIX, _tally_is_first)
-#endif
-
 // The shader says where these cells lie before it includes this file; those that others write
 // meanwhile belong into a coherent buffer:
 //   FEATURES_CELLS_TOTAL  one cell
 //   FEATURES_CELLS_WIDES(i)  of 64 bits
-//   FEATURES_CELLS_WORDS(i)  of 32 bits
+//   FEATURES_CELLS_WORDS(i)  of 32 bits, features_cells_count() of them
 //   FEATURES_CELLS_WORDS_SIZE  how many of them
 #ifndef FEATURES_CELLS_TOTAL
 #error storage.glsl: define FEATURES_CELLS_TOTAL before the include
@@ -182,6 +174,8 @@ features_histogram features_load_histogram(uint first) {
 #undef features_place_in
 #undef features_tally_add
 #undef features_tally_is_first
+#else
+#define STORAGE_GLSL
 #endif
 
 #endif

@@ -14,7 +14,7 @@ namespace features {
 
 /// Nothing but spans and pointers: it vanishes from signatures.
 struct cells {
-  std::span<std::uint32_t> words;  ///< of 32 bits
+  std::span<std::uint32_t> words;  ///< of 32 bits, count() of them
   std::span<std::uint64_t> wides;  ///< of 64 bits
   std::uint32_t* total;            ///< one cell
 

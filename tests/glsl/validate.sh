@@ -2,7 +2,8 @@
 # Copyright (c) 2026 The Pelage authors
 # SPDX-License-Identifier: MIT
 # validate.sh INCLUDE_DIR: every file of the mirror compiles for Vulkan 1.2 and for OpenGL 4.5, passes spirv-val and
-# is free of warnings; the whole of it stands in one shader, and an error names what a shader forgot to define.
+# is free of warnings; the whole of it stands in one shader, at several sizes too, and an error names what a shader
+# forgot to define.
 set -euo pipefail
 include=$(cd "$1" && pwd)
 scratch=$(mktemp -d)
@@ -73,6 +74,24 @@ for file in "${files[@]}"; do
 done
 shader "${files[@]}" >"$scratch/all.comp"
 check "all of the mirror in one shader" all
+
+# sizes HALVES [PREFIX]: all files with a size once more, at so many halves of their defaults. Each has a prefix of its
+# own, for one may include another.
+mapfile -t sized < <(cd "$include" && grep -rl _has_one_value_in_a_shader pelage/glsl | sort)
+sizes() {
+  (cd "$include" && sed -nE 's/^#define (PELAGE_\w+) ([0-9]+)$/\1 \2/p' "${sized[@]}") | while read -r macro value; do
+    printf '#undef %s\n#define %s %d\n' "$macro" "$macro" $((value * $1 / 2))
+  done
+  local file
+  for file in "${sized[@]}"; do
+    [[ -z ${2-} ]] || printf '#undef PELAGE_PREFIX\n#define PELAGE_PREFIX %s_%s\n' "$2" "$(basename "$file" .glsl)"
+    echo "#include \"$file\""
+  done
+  echo '#undef PELAGE_PREFIX'
+}
+((${#sized[@]})) || { echo "no sizes in the mirror under $include" >&2; exit 1; }
+{ shader "${sized[@]}"; sizes 4 twice; sizes 1 half; sizes 2; } >"$scratch/sizes.comp"
+check "three sizes of each kernel in one shader, and the first again" sizes
 
 # said NAME TEXT: compiling what stdin holds fails, and the compiler says TEXT.
 said() {

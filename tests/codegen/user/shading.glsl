@@ -4,19 +4,21 @@
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `fur` in the names, and include this file again.
-#if defined(PELAGE_PREFIX) || !defined(SHADING_GLSL)
-#ifndef PELAGE_PREFIX
-#define SHADING_GLSL
+#ifdef PELAGE_PREFIX
+#define PELAGE_PASTE_(prefix, name) prefix##name
+#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
+#define fur_is_bare PELAGE_PASTE(PELAGE_PREFIX, _is_bare)
+#define fur_nearest_depth PELAGE_PASTE(PELAGE_PREFIX, _nearest_depth)
 #endif
+#if defined(PELAGE_PREFIX) || !defined(SHADING_GLSL)
 
 #include "pelage/glsl/bsdf/fresnel.glsl"
 #include "pelage/glsl/bsdf/kajiya_kay.glsl"
 #include "pelage/glsl/order/k_buffer.glsl"
 
 #ifdef PELAGE_PREFIX
-#define PELAGE_PASTE_(prefix, name) prefix##name
-#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
-#define fur_nearest_depth PELAGE_PASTE(PELAGE_PREFIX, _nearest_depth)
+#define pelage_k_buffer PELAGE_PASTE(PELAGE_PREFIX, _k_buffer)
+#define pelage_k_buffer_size PELAGE_PASTE(PELAGE_PREFIX, _k_buffer_size)
 #endif
 
 /// A user's header, over GLM and the library: pelage-glsl translates it too.
@@ -29,7 +31,7 @@ struct fur_coat {
   float gloss;  ///< exponent of the highlight, [0, inf)
 };
 
-/// Light that a strand sends to the eye.
+/// Light that a strand sends to the eye: pelage_kajiya_kay() of bsdf/kajiya_kay.glsl, and a sheen.
 precise vec3 fur_shade(fur_coat c, vec3 tangent, vec3 to_light, vec3 to_eye) {
   const pelage_kajiya_kay_lobes lobes = pelage_kajiya_kay(tangent, to_light, to_eye, c.gloss);
   const float sheen = pelage_fresnel_dielectric(lobes.diffuse, 1.55);
@@ -47,10 +49,20 @@ float fur_nearest_depth(pelage_k_buffer buffer_of_pixel) {
   return depth;
 }
 
+/// True for a buffer that holds nothing.
+bool fur_is_bare(pelage_k_buffer buffer_of_pixel) {
+  return pelage_k_buffer_size(buffer_of_pixel) == 0u;
+}
+
 #define SHADING_GLSL_ONCE
 
 #ifdef PELAGE_PREFIX
+#undef fur_is_bare
 #undef fur_nearest_depth
+#undef pelage_k_buffer
+#undef pelage_k_buffer_size
+#else
+#define SHADING_GLSL
 #endif
 
 #endif

@@ -16,7 +16,7 @@ struct coat {
   float gloss;  ///< exponent of the highlight, [0, inf)
 };
 
-/// Light that a strand sends to the eye.
+/// Light that a strand sends to the eye: pelage::kajiya_kay() of bsdf/kajiya_kay.hpp, and a sheen.
 [[nodiscard]] inline glm::vec3 shade(const coat& c, const glm::vec3& tangent, const glm::vec3& to_light,
                                      const glm::vec3& to_eye) noexcept {
   const pelage::kajiya_kay_lobes lobes = pelage::kajiya_kay(tangent, to_light, to_eye, c.gloss);
@@ -32,6 +32,12 @@ template <std::uint32_t K>
     depth = std::min(depth, buffer_of_pixel.slot[i].depth);
   }
   return depth;
+}
+
+/// True for a buffer that holds nothing.
+template <std::uint32_t K>
+[[nodiscard]] bool is_bare(const pelage::k_buffer<K>& buffer_of_pixel) noexcept {
+  return buffer_of_pixel.size() == 0u;
 }
 
 }  // namespace fur

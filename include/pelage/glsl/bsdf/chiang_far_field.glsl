@@ -4,30 +4,24 @@
 
 #ifndef PELAGE_EVALUATE_CHIANG_FAR_PANELS
 #define PELAGE_EVALUATE_CHIANG_FAR_PANELS 4
-#endif
-#if !(PELAGE_EVALUATE_CHIANG_FAR_PANELS >= 1 && PELAGE_EVALUATE_CHIANG_FAR_PANELS <= 64)
+#elif !(PELAGE_EVALUATE_CHIANG_FAR_PANELS >= 1 && PELAGE_EVALUATE_CHIANG_FAR_PANELS <= 64)
 #error the width of a fibre is cut into 1 to 64 panels
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[PELAGE_EVALUATE_CHIANG_FAR_PANELS] PELAGE_EVALUATE_CHIANG_FAR_PANELS_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(PELAGE_BSDF_CHIANG_FAR_FIELD_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_BSDF_CHIANG_FAR_FIELD_GLSL
-#endif
-
-#include "chiang.glsl"
-#include "longitudinal.glsl"
-#include "../core/elementary.glsl"
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
 #define pelage_evaluate_chiang_far PELAGE_PASTE(PELAGE_PREFIX, _evaluate_chiang_far)
+#else
+uint[PELAGE_EVALUATE_CHIANG_FAR_PANELS] PELAGE_EVALUATE_CHIANG_FAR_PANELS_has_one_value_in_a_shader();
 #endif
+#if defined(PELAGE_PREFIX) || !defined(PELAGE_BSDF_CHIANG_FAR_FIELD_GLSL)
+
+#include "chiang.glsl"
+#include "longitudinal.glsl"
+#include "../core/elementary.glsl"
 
 /// A fibre thinner than a pixel: the model averaged over the fibre's width, ½ ∫ f(h) dh over [-1, 1].
 ///
@@ -88,6 +82,8 @@ precise pelage_chiang_result pelage_evaluate_chiang_far(pelage_chiang_fibre fibr
 
 #ifdef PELAGE_PREFIX
 #undef pelage_evaluate_chiang_far
+#else
+#define PELAGE_BSDF_CHIANG_FAR_FIELD_GLSL
 #endif
 
 #endif

@@ -4,31 +4,25 @@
 
 #ifndef PELAGE_MEAN_PASSAGE_PANELS
 #define PELAGE_MEAN_PASSAGE_PANELS 4
-#endif
-#if !(PELAGE_MEAN_PASSAGE_PANELS >= 1 && PELAGE_MEAN_PASSAGE_PANELS <= 64)
+#elif !(PELAGE_MEAN_PASSAGE_PANELS >= 1 && PELAGE_MEAN_PASSAGE_PANELS <= 64)
 #error the width of a fibre is cut into 1 to 64 panels
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
+#ifdef PELAGE_PREFIX
+#define PELAGE_PASTE_(prefix, name) prefix##name
+#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
+#define pelage_mean_passage PELAGE_PASTE(PELAGE_PREFIX, _mean_passage)
+#else
 uint[PELAGE_MEAN_PASSAGE_PANELS] PELAGE_MEAN_PASSAGE_PANELS_has_one_value_in_a_shader();
 #endif
 #if defined(PELAGE_PREFIX) || !defined(PELAGE_BSDF_PASSAGE_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_BSDF_PASSAGE_GLSL
-#endif
 
 #include "chiang.glsl"
 #include "chiang_far_field.glsl"
 #include "../core/elementary.glsl"
 #include "../core/real_number.glsl"
-
-#ifdef PELAGE_PREFIX
-#define PELAGE_PASTE_(prefix, name) prefix##name
-#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
-#define pelage_mean_passage PELAGE_PASTE(PELAGE_PREFIX, _mean_passage)
-#endif
 
 /// What a fibre lets through to what lies behind it, per channel: the attenuation along shadow and view paths.
 ///
@@ -81,6 +75,8 @@ precise float[3] pelage_mean_passage(float eta, float sigma_a[3], float sin_thet
 
 #ifdef PELAGE_PREFIX
 #undef pelage_mean_passage
+#else
+#define PELAGE_BSDF_PASSAGE_GLSL
 #endif
 
 #endif

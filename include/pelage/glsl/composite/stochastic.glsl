@@ -4,25 +4,12 @@
 
 #ifndef PELAGE_STOCHASTIC_DEPTHS_SAMPLES
 #define PELAGE_STOCHASTIC_DEPTHS_SAMPLES 16
-#endif
-#if !(PELAGE_STOCHASTIC_DEPTHS_SAMPLES > 0)
+#elif !(PELAGE_STOCHASTIC_DEPTHS_SAMPLES > 0)
 #error pelage::stochastic_depths<Samples>: at least one sample
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[PELAGE_STOCHASTIC_DEPTHS_SAMPLES] PELAGE_STOCHASTIC_DEPTHS_SAMPLES_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(PELAGE_COMPOSITE_STOCHASTIC_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_COMPOSITE_STOCHASTIC_GLSL
-#endif
-
-#include "../core/atomic_cells.glsl"
-#include "../core/fragment.glsl"
-#include "../core/mixed_bits.glsl"
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
@@ -33,7 +20,14 @@ uint[PELAGE_STOCHASTIC_DEPTHS_SAMPLES] PELAGE_STOCHASTIC_DEPTHS_SAMPLES_has_one_
 #define pelage_stochastic_depths_empty PELAGE_PASTE(PELAGE_PREFIX, _stochastic_depths_empty)
 #define pelage_stochastic_depths_transmittance_before \
   PELAGE_PASTE(PELAGE_PREFIX, _stochastic_depths_transmittance_before)
+#else
+uint[PELAGE_STOCHASTIC_DEPTHS_SAMPLES] PELAGE_STOCHASTIC_DEPTHS_SAMPLES_has_one_value_in_a_shader();
 #endif
+#if defined(PELAGE_PREFIX) || !defined(PELAGE_COMPOSITE_STOCHASTIC_GLSL)
+
+#include "../core/atomic_cells.glsl"
+#include "../core/fragment.glsl"
+#include "../core/mixed_bits.glsl"
 
 /// Stochastic transparency [Enderton et al. 2010]: each of a pixel's samples takes a fragment as opaque with the
 /// probability alpha and keeps the nearest depth that it took, like an ordinary depth buffer. The share of samples in
@@ -150,6 +144,8 @@ pelage_stochastic_depths pelage_load_stochastic_depths(uint pixel) {
 #undef pelage_stochastic_depths_add
 #undef pelage_stochastic_depths_empty
 #undef pelage_stochastic_depths_transmittance_before
+#else
+#define PELAGE_COMPOSITE_STOCHASTIC_GLSL
 #endif
 
 #endif

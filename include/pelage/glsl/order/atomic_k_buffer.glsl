@@ -4,20 +4,21 @@
 
 #ifndef PELAGE_ATOMIC_K_BUFFER_K
 #define PELAGE_ATOMIC_K_BUFFER_K 16
-#endif
-#if !(PELAGE_ATOMIC_K_BUFFER_K >= 1 && PELAGE_ATOMIC_K_BUFFER_K <= 64)
+#elif !(PELAGE_ATOMIC_K_BUFFER_K >= 1 && PELAGE_ATOMIC_K_BUFFER_K <= 64)
 #error pelage::atomic_k_buffer: K must be in [1, 64]
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
+#ifdef PELAGE_PREFIX
+#define PELAGE_PASTE_(prefix, name) prefix##name
+#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
+#define pelage_atomic_k_buffer_at PELAGE_PASTE(PELAGE_PREFIX, _atomic_k_buffer_at)
+#define pelage_atomic_k_buffer_insert PELAGE_PASTE(PELAGE_PREFIX, _atomic_k_buffer_insert)
+#else
 uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shader();
 #endif
 #if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_ATOMIC_K_BUFFER_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_ORDER_ATOMIC_K_BUFFER_GLSL
-#endif
 
 #if !defined(GL_EXT_shader_explicit_arithmetic_types_int64) && !defined(GL_ARB_gpu_shader_int64)
 #error order/atomic_k_buffer.glsl needs 64-bit integers: the extension GL_EXT_shader_explicit_arithmetic_types_int64
@@ -25,13 +26,6 @@ uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shade
 
 #include "../core/fragment.glsl"
 #include "slot_storage.glsl"
-
-#ifdef PELAGE_PREFIX
-#define PELAGE_PASTE_(prefix, name) prefix##name
-#define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
-#define pelage_atomic_k_buffer_at PELAGE_PASTE(PELAGE_PREFIX, _atomic_k_buffer_at)
-#define pelage_atomic_k_buffer_insert PELAGE_PASTE(PELAGE_PREFIX, _atomic_k_buffer_insert)
-#endif
 
 /// The K fragments of each pixel nearest the eye, sorted, built by many threads in one pass and fixed memory: a
 /// cascade of atomic minima.
@@ -104,6 +98,8 @@ pelage_fragment pelage_atomic_k_buffer_at(uint pixel, uint i) {
 #ifdef PELAGE_PREFIX
 #undef pelage_atomic_k_buffer_at
 #undef pelage_atomic_k_buffer_insert
+#else
+#define PELAGE_ORDER_ATOMIC_K_BUFFER_GLSL
 #endif
 
 #endif

@@ -4,34 +4,14 @@
 
 #ifndef PELAGE_K_BUFFER_K
 #define PELAGE_K_BUFFER_K 16
-#endif
-#if !(PELAGE_K_BUFFER_K >= 1 && PELAGE_K_BUFFER_K <= 64)
+#elif !(PELAGE_K_BUFFER_K >= 1 && PELAGE_K_BUFFER_K <= 64)
 #error pelage::k_buffer<K>: K must be in [1, 64]
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[PELAGE_K_BUFFER_K] PELAGE_K_BUFFER_K_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_K_BUFFER_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_ORDER_K_BUFFER_GLSL
-#endif
-
-#include "../core/fragment.glsl"
 #ifdef PELAGE_PREFIX
 #undef PELAGE_SORT_NETWORK_K
-#endif
-#ifndef PELAGE_SORT_NETWORK_K
-#define PELAGE_SORT_NETWORK_K PELAGE_K_BUFFER_K
-#endif
-#include "sorting_network.glsl"
-#if PELAGE_SORT_NETWORK_K != PELAGE_K_BUFFER_K
-#error order/k_buffer.glsl: PELAGE_SORT_NETWORK_K is in use with another value, define PELAGE_PREFIX for a second one
-#endif
-
-#ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
 #define pelage_k_buffer PELAGE_PASTE(PELAGE_PREFIX, _k_buffer)
@@ -41,6 +21,20 @@ uint[PELAGE_K_BUFFER_K] PELAGE_K_BUFFER_K_has_one_value_in_a_shader();
 #define pelage_k_buffer_merge PELAGE_PASTE(PELAGE_PREFIX, _k_buffer_merge)
 #define pelage_k_buffer_size PELAGE_PASTE(PELAGE_PREFIX, _k_buffer_size)
 #define pelage_k_buffer_sort PELAGE_PASTE(PELAGE_PREFIX, _k_buffer_sort)
+#else
+uint[PELAGE_K_BUFFER_K] PELAGE_K_BUFFER_K_has_one_value_in_a_shader();
+#endif
+#if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_K_BUFFER_GLSL)
+
+#include "../core/fragment.glsl"
+#ifndef PELAGE_SORT_NETWORK_K
+#define PELAGE_SORT_NETWORK_K PELAGE_K_BUFFER_K
+#elif PELAGE_SORT_NETWORK_K != PELAGE_K_BUFFER_K
+#error order/k_buffer.glsl: PELAGE_SORT_NETWORK_K is in use with another value, define PELAGE_PREFIX for a second one
+#endif
+#include "sorting_network.glsl"
+
+#ifdef PELAGE_PREFIX
 #define pelage_sort_network PELAGE_PASTE(PELAGE_PREFIX, _sort_network)
 #endif
 
@@ -145,6 +139,8 @@ void pelage_k_buffer_find_farthest(inout pelage_k_buffer self) {
 #undef pelage_k_buffer_size
 #undef pelage_k_buffer_sort
 #undef pelage_sort_network
+#else
+#define PELAGE_ORDER_K_BUFFER_GLSL
 #endif
 
 #endif

@@ -8,21 +8,16 @@
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[PELAGE_SORT_NETWORK_K] PELAGE_SORT_NETWORK_K_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_SORTING_NETWORK_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_ORDER_SORTING_NETWORK_GLSL
-#endif
-
-#include "../core/fragment.glsl"
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
 #define pelage_sort_network PELAGE_PASTE(PELAGE_PREFIX, _sort_network)
+#else
+uint[PELAGE_SORT_NETWORK_K] PELAGE_SORT_NETWORK_K_has_one_value_in_a_shader();
 #endif
+#if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_SORTING_NETWORK_GLSL)
+
+#include "../core/fragment.glsl"
 
 #ifndef PELAGE_ORDER_SORTING_NETWORK_GLSL_ONCE
 
@@ -69,6 +64,8 @@ void pelage_sort_network(inout pelage_fragment slot[PELAGE_SORT_NETWORK_K]) {
 
 #ifdef PELAGE_PREFIX
 #undef pelage_sort_network
+#else
+#define PELAGE_ORDER_SORTING_NETWORK_GLSL
 #endif
 
 #endif

@@ -4,31 +4,25 @@
 
 #ifndef PELAGE_TWO_PASS_K_BUFFER_K
 #define PELAGE_TWO_PASS_K_BUFFER_K 16
-#endif
-#if !(PELAGE_TWO_PASS_K_BUFFER_K >= 1 && PELAGE_TWO_PASS_K_BUFFER_K <= 64)
+#elif !(PELAGE_TWO_PASS_K_BUFFER_K >= 1 && PELAGE_TWO_PASS_K_BUFFER_K <= 64)
 #error pelage::two_pass_k_buffer: K must be in [1, 64]
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[PELAGE_TWO_PASS_K_BUFFER_K] PELAGE_TWO_PASS_K_BUFFER_K_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL
-#endif
-
-#include "../core/fragment.glsl"
-#include "split_slot_storage.glsl"
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
 #define pelage_two_pass_k_buffer_at PELAGE_PASTE(PELAGE_PREFIX, _two_pass_k_buffer_at)
 #define pelage_two_pass_k_buffer_insert PELAGE_PASTE(PELAGE_PREFIX, _two_pass_k_buffer_insert)
 #define pelage_two_pass_k_buffer_offer_depth PELAGE_PASTE(PELAGE_PREFIX, _two_pass_k_buffer_offer_depth)
+#else
+uint[PELAGE_TWO_PASS_K_BUFFER_K] PELAGE_TWO_PASS_K_BUFFER_K_has_one_value_in_a_shader();
 #endif
+#if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL)
+
+#include "../core/fragment.glsl"
+#include "split_slot_storage.glsl"
 
 /// atomic_k_buffer for hardware without 64-bit atomics: the depths in a first pass, the ids in a second one.
 ///
@@ -106,6 +100,8 @@ pelage_fragment pelage_two_pass_k_buffer_at(uint pixel, uint i) {
 #undef pelage_two_pass_k_buffer_at
 #undef pelage_two_pass_k_buffer_insert
 #undef pelage_two_pass_k_buffer_offer_depth
+#else
+#define PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL
 #endif
 
 #endif

@@ -4,25 +4,12 @@
 
 #ifndef PELAGE_DENSITY_CLUSTERS_K
 #define PELAGE_DENSITY_CLUSTERS_K 4
-#endif
-#if !(PELAGE_DENSITY_CLUSTERS_K > 0)
+#elif !(PELAGE_DENSITY_CLUSTERS_K > 0)
 #error pelage::density_clusters<K>: at least one cluster
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[PELAGE_DENSITY_CLUSTERS_K] PELAGE_DENSITY_CLUSTERS_K_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL
-#endif
-
-#include "../core/atomic_cells.glsl"
-#include "../core/math.glsl"
-#include "layer_position.glsl"
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
@@ -33,7 +20,14 @@ uint[PELAGE_DENSITY_CLUSTERS_K] PELAGE_DENSITY_CLUSTERS_K_has_one_value_in_a_sha
 #define pelage_density_clusters_count_before PELAGE_PASTE(PELAGE_PREFIX, _density_clusters_count_before)
 #define pelage_density_clusters_empty PELAGE_PASTE(PELAGE_PREFIX, _density_clusters_empty)
 #define pelage_load_density_clusters PELAGE_PASTE(PELAGE_PREFIX, _load_density_clusters)
+#else
+uint[PELAGE_DENSITY_CLUSTERS_K] PELAGE_DENSITY_CLUSTERS_K_has_one_value_in_a_shader();
 #endif
+#if defined(PELAGE_PREFIX) || !defined(PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL)
+
+#include "../core/atomic_cells.glsl"
+#include "../core/math.glsl"
+#include "layer_position.glsl"
 
 const uint pelage_density_clusters_cells = 3u * PELAGE_DENSITY_CLUSTERS_K;  ///< a texel, for a cell_storage
 
@@ -145,6 +139,8 @@ pelage_density_clusters pelage_load_density_clusters(uint texel) {
 #undef pelage_density_clusters_count_before
 #undef pelage_density_clusters_empty
 #undef pelage_load_density_clusters
+#else
+#define PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL
 #endif
 
 #endif

@@ -8,35 +8,18 @@
 
 #ifndef PELAGE_OCCUPANCY_MAP_SLICES
 #define PELAGE_OCCUPANCY_MAP_SLICES 128
+#elif !(PELAGE_OCCUPANCY_MAP_SLICES % 32 == 0 && PELAGE_OCCUPANCY_MAP_SLICES > 0)
+#error pelage::occupancy_map: Slices must be a multiple of 32
 #endif
 #if !(PELAGE_OCCUPANCY_MAP_SLABS > 0 && PELAGE_OCCUPANCY_MAP_SLICES % PELAGE_OCCUPANCY_MAP_SLABS == 0)
 #error pelage::occupancy_map: all Slabs must have as many slices
-#endif
-#if !(PELAGE_OCCUPANCY_MAP_SLICES % 32 == 0 && PELAGE_OCCUPANCY_MAP_SLICES > 0)
-#error pelage::occupancy_map: Slices must be a multiple of 32
-#endif
-#if !(PELAGE_OCCUPANCY_MAP_SLICES / PELAGE_OCCUPANCY_MAP_SLABS % 32 == 0 || \
-      32 % (PELAGE_OCCUPANCY_MAP_SLICES / PELAGE_OCCUPANCY_MAP_SLABS) == 0)
+#elif !(PELAGE_OCCUPANCY_MAP_SLICES / PELAGE_OCCUPANCY_MAP_SLABS % 32 == 0 || \
+        32 % (PELAGE_OCCUPANCY_MAP_SLICES / PELAGE_OCCUPANCY_MAP_SLABS) == 0)
 #error pelage::occupancy_map: a slab must be whole words of 32 slices, or lie inside one
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[PELAGE_OCCUPANCY_MAP_SLABS] PELAGE_OCCUPANCY_MAP_SLABS_has_one_value_in_a_shader();
-#endif
-#ifndef PELAGE_PREFIX
-uint[PELAGE_OCCUPANCY_MAP_SLICES] PELAGE_OCCUPANCY_MAP_SLICES_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL
-#endif
-
-#include "../core/atomic_cells.glsl"
-#include "../core/math.glsl"
-#include "layer_position.glsl"
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
@@ -51,7 +34,15 @@ uint[PELAGE_OCCUPANCY_MAP_SLICES] PELAGE_OCCUPANCY_MAP_SLICES_has_one_value_in_a
 #define pelage_occupancy_map_slab_slices PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_slab_slices)
 #define pelage_occupancy_map_total PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_total)
 #define pelage_occupancy_map_words PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_words)
+#else
+uint[PELAGE_OCCUPANCY_MAP_SLABS] PELAGE_OCCUPANCY_MAP_SLABS_has_one_value_in_a_shader();
+uint[PELAGE_OCCUPANCY_MAP_SLICES] PELAGE_OCCUPANCY_MAP_SLICES_has_one_value_in_a_shader();
 #endif
+#if defined(PELAGE_PREFIX) || !defined(PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL)
+
+#include "../core/atomic_cells.glsl"
+#include "../core/math.glsl"
+#include "layer_position.glsl"
 
 const uint pelage_occupancy_map_words = PELAGE_OCCUPANCY_MAP_SLICES / 32u;  ///< of slice bits a texel
 
@@ -209,6 +200,8 @@ pelage_occupancy_map pelage_load_occupancy_map(uint texel) {
 #undef pelage_occupancy_map_slab_slices
 #undef pelage_occupancy_map_total
 #undef pelage_occupancy_map_words
+#else
+#define PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL
 #endif
 
 #endif

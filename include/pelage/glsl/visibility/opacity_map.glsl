@@ -4,25 +4,12 @@
 
 #ifndef PELAGE_OPACITY_MAP_LAYERS
 #define PELAGE_OPACITY_MAP_LAYERS 16
-#endif
-#if !(PELAGE_OPACITY_MAP_LAYERS > 0)
+#elif !(PELAGE_OPACITY_MAP_LAYERS > 0)
 #error pelage::opacity_map<Layers>: at least one layer
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[PELAGE_OPACITY_MAP_LAYERS] PELAGE_OPACITY_MAP_LAYERS_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(PELAGE_VISIBILITY_OPACITY_MAP_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_VISIBILITY_OPACITY_MAP_GLSL
-#endif
-
-#include "../core/atomic_cells.glsl"
-#include "../core/math.glsl"
-#include "layer_position.glsl"
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
@@ -36,7 +23,14 @@ uint[PELAGE_OPACITY_MAP_LAYERS] PELAGE_OPACITY_MAP_LAYERS_has_one_value_in_a_sha
 #define pelage_opacity_map_empty PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_empty)
 #define pelage_opacity_map_merge PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_merge)
 #define pelage_opacity_map_total PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_total)
+#else
+uint[PELAGE_OPACITY_MAP_LAYERS] PELAGE_OPACITY_MAP_LAYERS_has_one_value_in_a_shader();
 #endif
+#if defined(PELAGE_PREFIX) || !defined(PELAGE_VISIBILITY_OPACITY_MAP_GLSL)
+
+#include "../core/atomic_cells.glsl"
+#include "../core/math.glsl"
+#include "layer_position.glsl"
 
 /// One texel of an opacity map: a sum for each layer. With slice_position() it is an opacity shadow map
 /// [Kim & Neumann 2001], with equal_layer_position() or growing_layer_position() a deep opacity map
@@ -154,6 +148,8 @@ pelage_opacity_map pelage_load_opacity_map(uint texel) {
 #undef pelage_opacity_map_empty
 #undef pelage_opacity_map_merge
 #undef pelage_opacity_map_total
+#else
+#define PELAGE_VISIBILITY_OPACITY_MAP_GLSL
 #endif
 
 #endif
