@@ -22,9 +22,9 @@ headers::headers(ASTUnit& ast, bool library) : ast_(ast), sources_(ast.getSource
   }
 }
 
-unit* headers::unit_of(FileID file) {
+unit* headers::unit_of(FileID file, bool wide) {
   const FileEntry* entry = sources_.getFileEntryForID(file);
-  const auto [place, fresh] = units_.try_emplace(entry);
+  const auto [place, fresh] = units_.try_emplace({entry, wide});
   if (!fresh || entry == nullptr) return place->second.get();
   const bool main = file == sources_.getMainFileID();
   if (!main && sources_.isInSystemHeader(sources_.getLocForStartOfFile(file))) return nullptr;
@@ -33,10 +33,10 @@ unit* headers::unit_of(FileID file) {
                                         entry, ast_.getMainFileName());
   if (header.rfind("glm/", 0) == 0) return nullptr;
   const bool ours = header.rfind("pelage/", 0) == 0;
-  std::filesystem::path path = ours ? header.substr(7) : header;
   unit& u = *(place->second = std::make_unique<unit>());
   u.header = header;
-  u.path = path.replace_extension("glsl").string();
+  u.name = std::filesystem::path(header).replace_extension(wide ? "" : "glsl").string() + (wide ? "_64.glsl" : "");
+  u.path = ours ? u.name.substr(7) : u.name;
   if (!ours || library_) return &u;
   u.include = "pelage/glsl/" + u.path;
   u.mirrored = true;
@@ -73,7 +73,7 @@ void headers::note_doc(const NamespaceDecl* space) {
 
 std::vector<const unit*> headers::written() const {
   std::vector<const unit*> all;
-  for (const auto& [entry, u] : units_) {
+  for (const auto& [key, u] : units_) {
     if (u && !u->mirrored && !u->entities.empty()) all.push_back(u.get());
   }
   return all;

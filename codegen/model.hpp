@@ -55,6 +55,7 @@ struct cell {
 /// One header and the .glsl that mirrors it.
 struct unit {
   std::string header;     ///< as a program includes it: pelage/order/k_buffer.hpp
+  std::string name;       ///< of the file, as a header's: pelage/order/k_buffer.glsl
   std::string path;       ///< below the output folder: order/k_buffer.glsl
   std::string include;    ///< how others include it where `path` will not do: library files seen from a user's
   std::string doc;        ///< what the header says above its namespace
@@ -74,8 +75,9 @@ class headers {
   /// `library`: the headers of pelage/ are what is written, not what is there already.
   headers(clang::ASTUnit& ast, bool library);
 
-  /// The unit of a header of ours or of the translation unit's own file, or null for the rest of the world.
-  unit* unit_of(clang::FileID file);
+  /// The unit of a header of ours or of the translation unit's own file, or null for the rest of the world. `wide`:
+  /// that of its storage of 64-bit words, a file of its own, which shaders without 64-bit integers do not include.
+  unit* unit_of(clang::FileID file, bool wide = false);
 
   /// True for what stands in the translation unit's own file or in a header that it includes itself.
   bool is_named(const clang::Decl* d);
@@ -91,7 +93,7 @@ class headers {
   clang::SourceManager& sources_;
   bool library_;
   std::set<const clang::FileEntry*> named_;  ///< included by the translation unit's own file
-  std::map<const clang::FileEntry*, std::unique_ptr<unit>> units_;
+  std::map<std::pair<const clang::FileEntry*, bool>, std::unique_ptr<unit>> units_;
 };
 
 /// How every file begins.

@@ -76,7 +76,7 @@ std::string global_name(const clang::NamedDecl* d) {
     const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(c);
     const bool silent = space != nullptr && (space->isAnonymousNamespace() || space->isInline());
     if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(c); named != nullptr && !silent) {
-      name = named->getNameAsString() + "_" + name;
+      name = named->getNameAsString() + (is_wide(c) ? "_64_" : "_") + name;
     }
   }
   return name;

@@ -9,7 +9,10 @@
 
 namespace pelage::codegen {
 
-/// pelage::a_buffer::push -> pelage_a_buffer_push. Template arguments vanish.
+/// True for storage that is a template of its words, instantiated with a 64-bit integer.
+[[nodiscard]] bool is_wide(const clang::DeclContext* record);
+
+/// pelage::a_buffer::push -> pelage_a_buffer_push. Template arguments vanish, except that what is_wide() says _64.
 [[nodiscard]] std::string global_name(const clang::NamedDecl* d);
 
 /// What an operator that is a function is called: `multiply` for operator*(a, b); nothing for those without a name.
