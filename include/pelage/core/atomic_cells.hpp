@@ -88,36 +88,6 @@ static_assert(cell_storage<atomic_cell_storage>);
 
 /// Sets bits. Costs no write where they are set already.
 template <cell_storage Storage>
-void set_bits(Storage& storage, std::uint32_t cell, std::uint32_t bits) noexcept;
-
-/// Lowers a cell to a value, if that is less. Costs no write where it is not.
-template <cell_storage Storage>
-void lower_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexcept;
-
-/// Raises a cell to a value, if that is more. Costs no write where it is not.
-template <cell_storage Storage>
-void raise_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexcept;
-
-/// Adds to a cell and stops at 2³² - 1, which is still the same in any order; a plain fetch_add would wrap round.
-template <cell_storage Storage>
-void add_to_cell(Storage& storage, std::uint32_t cell, std::uint32_t amount) noexcept;
-
-/// Adds to a cell modulo 2³² and sets `bit` in the cell `ends` if that passes the end of the range: what
-/// add_to_cell() does, for hardware that adds, at the price of a bit a sum. A sum modulo 2³² passes its end once for
-/// every 2³² of the true sum, in whichever order the parts come; so whether one of the additions (1) saw it pass and
-/// set the bit (2) says whether the sum saturates.
-template <cell_storage Storage>
-void add_and_mark(Storage& storage, std::uint32_t cell, std::uint32_t amount, std::uint32_t ends,
-                  std::uint32_t bit) noexcept;
-
-/// What add_and_mark() left in a cell, saturated. Not concurrent with it: (3) is read behind the barrier.
-template <cell_storage Storage>
-[[nodiscard]] std::uint32_t load_marked(const Storage& storage, std::uint32_t cell, std::uint32_t ends,
-                                        std::uint32_t bit) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <cell_storage Storage>
 void set_bits(Storage& storage, std::uint32_t cell, std::uint32_t bits) noexcept {
   const std::uint32_t found = storage.load(cell, std::memory_order_relaxed);
   if ((found & bits) != bits) {
@@ -125,6 +95,7 @@ void set_bits(Storage& storage, std::uint32_t cell, std::uint32_t bits) noexcept
   }
 }
 
+/// Lowers a cell to a value, if that is less. Costs no write where it is not.
 template <cell_storage Storage>
 void lower_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexcept {
   if (value < storage.load(cell, std::memory_order_relaxed)) {
@@ -132,6 +103,7 @@ void lower_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexc
   }
 }
 
+/// Raises a cell to a value, if that is more. Costs no write where it is not.
 template <cell_storage Storage>
 void raise_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexcept {
   if (value > storage.load(cell, std::memory_order_relaxed)) {
@@ -139,6 +111,7 @@ void raise_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexc
   }
 }
 
+/// Adds to a cell and stops at 2³² - 1, which is still the same in any order; a plain fetch_add would wrap round.
 template <cell_storage Storage>
 void add_to_cell(Storage& storage, std::uint32_t cell, std::uint32_t amount) noexcept {
   std::uint32_t found = storage.load(cell, std::memory_order_relaxed);
@@ -151,6 +124,10 @@ void add_to_cell(Storage& storage, std::uint32_t cell, std::uint32_t amount) noe
   }
 }
 
+/// Adds to a cell modulo 2³² and sets `bit` in the cell `ends` if that passes the end of the range: what
+/// add_to_cell() does, for hardware that adds, at the price of a bit a sum. A sum modulo 2³² passes its end once for
+/// every 2³² of the true sum, in whichever order the parts come; so whether one of the additions (1) saw it pass and
+/// set the bit (2) says whether the sum saturates.
 template <cell_storage Storage>
 void add_and_mark(Storage& storage, std::uint32_t cell, std::uint32_t amount, std::uint32_t ends,
                   std::uint32_t bit) noexcept {
@@ -162,8 +139,10 @@ void add_and_mark(Storage& storage, std::uint32_t cell, std::uint32_t amount, st
   }
 }
 
+/// What add_and_mark() left in a cell, saturated. Not concurrent with it: (3) is read behind the barrier.
 template <cell_storage Storage>
-std::uint32_t load_marked(const Storage& storage, std::uint32_t cell, std::uint32_t ends, std::uint32_t bit) noexcept {
+[[nodiscard]] std::uint32_t load_marked(const Storage& storage, std::uint32_t cell, std::uint32_t ends,
+                                        std::uint32_t bit) noexcept {
   const std::uint32_t passed = storage.load(ends, std::memory_order_relaxed) & bit;  // (3)
   const std::uint32_t held = storage.load(cell, std::memory_order_relaxed);          // (3)
   return passed != 0u ? 0xffffffffu : held;

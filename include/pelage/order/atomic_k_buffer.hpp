@@ -39,17 +39,7 @@ namespace pelage::atomic_k_buffer {
 /// (1) and (2) are relaxed: a stale value is one that the slot held before, hence no smaller, and only leads to a
 /// step that could have been spared. (3) is relaxed: the slot holds all there is to know, and publishes nothing else.
 template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
-[[nodiscard]] fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept;
-
-/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with insert:
-/// (4) is relaxed, the barrier between the phases orders it after every (3).
-template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
-[[nodiscard]] fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
-fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
+[[nodiscard]] fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
   static_assert(K >= 1u && K <= 64u, "pelage::atomic_k_buffer: K must be in [1, 64]");
   PELAGE_ASSERT(pixel < storage.size() / K);
   if (!is_fragment(offered)) {
@@ -77,8 +67,10 @@ fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcep
   return unpack(carried);
 }
 
+/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with insert:
+/// (4) is relaxed, the barrier between the phases orders it after every (3).
 template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
-fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept {
+[[nodiscard]] fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept {
   PELAGE_ASSERT(pixel < storage.size() / K && i < K);
   return unpack(storage.load(pixel * K + i, std::memory_order_relaxed));  // (4)
 }

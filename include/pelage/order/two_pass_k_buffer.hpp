@@ -26,24 +26,6 @@ namespace pelage::two_pass_k_buffer {
 ///
 /// (1) and (2) relaxed, as (1) and (3) of atomic_k_buffer.
 template <std::uint32_t K, split_slot_storage Storage>
-void offer_depth(Storage& storage, std::uint32_t pixel, fragment offered) noexcept;
-
-/// Second pass: offers the fragment itself. Returns what fell out: one of equal depth with a larger id, itself, or
-/// no_fragment(). What is_fragment() refuses comes back as it is. Depths -0 come back as +0. `pixel` and progress as
-/// in the first pass. O(K).
-///
-/// (3) relaxed: the barrier between the passes orders it after every (2). (4) relaxed: as (2), on ids.
-template <std::uint32_t K, split_slot_storage Storage>
-[[nodiscard]] fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept;
-
-/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with either
-/// pass: (5) is relaxed, the barrier orders it after every (4).
-template <std::uint32_t K, split_slot_storage Storage>
-[[nodiscard]] fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <std::uint32_t K, split_slot_storage Storage>
 void offer_depth(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
   static_assert(K >= 1u && K <= 64u, "pelage::two_pass_k_buffer: K must be in [1, 64]");
   PELAGE_ASSERT(pixel < storage.slot_count() / K);
@@ -58,8 +40,13 @@ void offer_depth(Storage& storage, std::uint32_t pixel, fragment offered) noexce
   }
 }
 
+/// Second pass: offers the fragment itself. Returns what fell out: one of equal depth with a larger id, itself, or
+/// no_fragment(). What is_fragment() refuses comes back as it is. Depths -0 come back as +0. `pixel` and progress as
+/// in the first pass. O(K).
+///
+/// (3) relaxed: the barrier between the passes orders it after every (2). (4) relaxed: as (2), on ids.
 template <std::uint32_t K, split_slot_storage Storage>
-fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
+[[nodiscard]] fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
   PELAGE_ASSERT(pixel < storage.slot_count() / K);
   if (!is_fragment(offered)) {
     return offered;
@@ -76,8 +63,10 @@ fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcep
   return carried != no_fragment().id ? fragment{depth_from_key(key), carried} : no_fragment();
 }
 
+/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with either
+/// pass: (5) is relaxed, the barrier orders it after every (4).
 template <std::uint32_t K, split_slot_storage Storage>
-fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept {
+[[nodiscard]] fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept {
   PELAGE_ASSERT(pixel < storage.slot_count() / K && i < K);
   const std::uint32_t slot = pixel * K + i;
   const std::uint32_t id = storage.load_id(slot, std::memory_order_relaxed);  // (5)
