@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/assert.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/fragment.hpp>
-#include <pelage/order/slot_storage.hpp>
+#include <pelage/order/packed_fragment.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -14,8 +15,8 @@
 ///
 /// Keeps the K first of the total order; drops nothing silently, since insert() hands back what falls out, for the
 /// caller's tail (composite/atomic_tail.hpp). Once all inserts are done, the slots and the set of what fell out
-/// depend on the set of fragments alone. Build and read are two phases, as with a_buffer. 8 K bytes a pixel; no
-/// pool, so nothing can fill up. K in [1, 64].
+/// depend on the set of fragments alone. Build and read are two phases, as with a_buffer. 8 K bytes a pixel: cells
+/// [pixel · K, (pixel + 1) · K), all pack(no_fragment()) at first; no pool, so nothing can fill up. K in [1, 64].
 ///
 /// Proof. (a) Nothing is lost or doubled: each minimum leaves one of two values in the slot and carries the other on,
 /// and it is atomic. (b) A value that has passed a slot is larger than what the slot holds from then on: the minimum

@@ -22,7 +22,7 @@ layout(std430, binding = 2) buffer loaded_block {
 #endif
 
 uint base = 0u;
-#define PELAGE_ATOMIC_CELL_STORAGE_CELLS(i) found[base + i]
+#define PELAGE_ATOMIC_CELLS_WORDS(i) found[base + i]
 #include "pelage/glsl/composite/atomic_tail.glsl"
 #include "pelage/glsl/composite/stochastic.glsl"
 #include "pelage/glsl/visibility/density_clusters.glsl"

@@ -10,7 +10,7 @@ layout(std430, binding = 20) LIVE buffer cell_buffer { uint cells[]; };
 layout(std430, binding = 20) readonly buffer quad_buffer { uvec4 quads[]; };  ///< the same, to be read by fours
 
 uint first_cell;  ///< of the texel that the functions below are about
-#define PELAGE_ATOMIC_CELL_STORAGE_CELLS(i) cells[first_cell + (i)]
+#define PELAGE_ATOMIC_CELLS_WORDS(i) cells[first_cell + (i)]
 #include "pelage/glsl/visibility/depth_range.glsl"
 #include "pelage/glsl/visibility/occupancy_map.glsl"
 
