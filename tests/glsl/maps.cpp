@@ -45,10 +45,6 @@ struct map_cells {
   }
 
   explicit map_cells(std::uint32_t n) : texels(n), cells(n * cells_of_texel) {
-    for (std::uint32_t t = 0; t < n; ++t) {
-      cells[2 * t] = depth_range::empty().nearest;
-      cells[2 * t + 1] = depth_range::empty().farthest;
-    }
     const std::uint32_t before = cells_of_texel - samples - sums;
     std::fill_n(cells.begin() + before * n, samples * n, 0xffffffffU);
   }

@@ -19,9 +19,8 @@ namespace pelage {
 
 /// The nearest and the farthest depth of a texel's fragments: where the slices of its maps begin and end. 8 bytes.
 ///
-/// Holds keys (see depth_key), so that minimum and maximum are those of integers.
-/// Depends on the set of depths alone. What an opaque object hides is not to be taken in: the caller's depth limit
-/// cuts fibres before this.
+/// Holds keys (see depth_key), so that minimum and maximum are those of integers. Depends on the set of depths alone.
+/// What an opaque object hides is not to be taken in: the caller's depth limit cuts fibres before this.
 struct depth_range {
   std::uint32_t nearest;   ///< key of the least depth; all ones while empty
   std::uint32_t farthest;  ///< key of the greatest depth; 0 while empty
@@ -68,14 +67,15 @@ struct depth_range {
   }
 };
 
-/// Takes a depth into the range of a texel that many threads extend at once: cells 2 · texel and 2 · texel + 1, at
-/// first those of depth_range::empty(). NaN and infinite depths change nothing. Lock-free; memory orders: cell_storage.
+/// Takes a depth into the range of a texel that many threads extend at once: cells 2 · texel, the complement of the
+/// nearest key, and 2 · texel + 1, both 0 at first. NaN and infinite depths change nothing. Lock-free; memory orders:
+/// cell_storage.
 template <cell_storage Storage>
 void extend_depth_range(Storage& storage, std::uint32_t texel, float depth) noexcept {
   PELAGE_ASSERT(texel < storage.size() / 2u);
   if (is_finite_depth(depth)) {
     const std::uint32_t key = depth_key(depth);
-    lower_cell(storage, 2u * texel, key);
+    raise_cell(storage, 2u * texel, ~key);
     raise_cell(storage, 2u * texel + 1u, key);
   }
 }
@@ -83,7 +83,7 @@ void extend_depth_range(Storage& storage, std::uint32_t texel, float depth) noex
 /// The range of a texel. Not concurrent with extend_depth_range.
 template <cell_storage Storage>
 [[nodiscard]] depth_range load_depth_range(const Storage& storage, std::uint32_t texel) noexcept {
-  return depth_range{storage.load(2u * texel, std::memory_order_relaxed),
+  return depth_range{~storage.load(2u * texel, std::memory_order_relaxed),
                      storage.load(2u * texel + 1u, std::memory_order_relaxed)};
 }
 

@@ -29,11 +29,12 @@ template <std::uint32_t Slices = 128u, std::uint32_t Slabs = 4u>
 struct occupancy_map {
   static_assert(Slices % 32u == 0u && Slices > 0u, "pelage::occupancy_map: Slices must be a multiple of 32");
   static_assert(Slabs > 0u && Slices % Slabs == 0u, "pelage::occupancy_map: all Slabs must have as many slices");
+  static_assert(Slabs <= 32u, "pelage::occupancy_map: at most 32 Slabs, whose sums' ends are bits of one cell");
   static_assert(Slices / Slabs % 32u == 0u || 32u % (Slices / Slabs) == 0u,
                 "pelage::occupancy_map: a slab must be whole words of 32 slices, or lie inside one");
 
   static constexpr std::uint32_t words = Slices / 32u;          ///< of slice bits a texel
-  static constexpr std::uint32_t cells = words + Slabs;         ///< a texel, for a cell_storage
+  static constexpr std::uint32_t cells = words + Slabs + 1u;    ///< a texel, for a cell_storage
   static constexpr std::uint32_t slab_slices = Slices / Slabs;  ///< slices a slab
 
   std::array<std::uint32_t, words> occupied;  ///< slice i is bit i % 32 of word i / 32
@@ -112,14 +113,16 @@ struct occupancy_map {
 };
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
-/// the storage, all 0 at first, for M = occupancy_map<Slices, Slabs>. Lock-free; memory orders: cell_storage.
+/// the storage, all 0 at first, for M = occupancy_map<Slices, Slabs>; the last holds the ends of the sums
+/// (add_and_mark). Wait-free where the hardware has the changes; memory orders: cell_storage.
 template <class Map, cell_storage Storage>
 void add_to_occupancy_map(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept {
   PELAGE_ASSERT(texel < storage.size() / Map::cells);
   const std::uint32_t slice = layer_at(position, Map::words * 32u);
   const std::uint32_t first = texel * Map::cells;
   set_bits(storage, first + slice / 32u, 1u << (slice % 32u));
-  add_to_cell(storage, first + Map::words + slice / Map::slab_slices, added);
+  const std::uint32_t slab = slice / Map::slab_slices;
+  add_and_mark(storage, first + Map::words + slab, added, first + Map::cells - 1u, 1u << slab);
 }
 
 /// A texel of such a storage. Not concurrent with add_to_occupancy_map.
@@ -130,8 +133,8 @@ template <class Map, cell_storage Storage>
   for (std::uint32_t i = 0u; i < Map::words; ++i) {
     map.occupied[i] = storage.load(first + i, std::memory_order_relaxed);
   }
-  for (std::uint32_t i = 0u; i < Map::cells - Map::words; ++i) {
-    map.amount[i] = storage.load(first + Map::words + i, std::memory_order_relaxed);
+  for (std::uint32_t i = 0u; i < Map::cells - Map::words - 1u; ++i) {
+    map.amount[i] = load_marked(storage, first + Map::words + i, first + Map::cells - 1u, 1u << i);
   }
   return map;
 }

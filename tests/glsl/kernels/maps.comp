@@ -43,7 +43,7 @@ void give(pelage_tail tail) {
 
 void use(uint texel) {
   if (texel >= texels) return;
-  next = texel * (2u + pelage_occupancy_map_cells + 16u + pelage_density_clusters_cells + 16u + 5u);
+  next = texel * (2u + pelage_occupancy_map_cells - 1u + 16u + pelage_density_clusters_cells + 16u + 5u);
   const pelage_depth_range range = pelage_load_depth_range(texel);
   give(range.nearest);
   give(range.farthest);
