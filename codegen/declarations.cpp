@@ -11,7 +11,8 @@ using namespace clang;
 
 namespace {
 
-/// The declaration that all instantiations share: the first one of the template's pattern.
+/// The declaration that all instantiations share: the first one of the template's pattern. Storage of 64-bit words has
+/// functions of its own.
 const NamedDecl* pattern_of(const NamedDecl* d) {
   const auto* pattern = llvm::TypeSwitch<const NamedDecl*, const NamedDecl*>(d)
                             .Case<FunctionDecl, CXXRecordDecl, VarDecl, EnumDecl>(
@@ -29,7 +30,7 @@ const NamedDecl* whole(const NamedDecl* d) {
 }  // namespace
 
 entity& translator::slot(const NamedDecl* d) {
-  std::unique_ptr<entity>& place = entities_[pattern_of(d)];
+  std::unique_ptr<entity>& place = entities_[is_wide(d->getDeclContext()) ? d->getCanonicalDecl() : pattern_of(d)];
   if (!place) place = std::make_unique<entity>();
   return *place;
 }
@@ -81,7 +82,7 @@ bool translator::begin(const NamedDecl* d) {
   locals_.clear();
   renamed_.clear();
   in_storage_ = arithmetic_ = false;
-  fresh_->where = headers_.unit_of(file(where));
+  fresh_->where = headers_.unit_of(file(where), is_wide(d->getDeclContext()));
   if (fresh_->where == nullptr) {
     reject(where, d->getQualifiedNameAsString() + " lies in a header that is not mirrored");
     return false;

@@ -23,9 +23,9 @@ headers::headers(Preprocessor& preprocessor, bool library)
   }
 }
 
-unit* headers::unit_of(FileID file) {
+unit* headers::unit_of(FileID file, bool wide) {
   const FileEntry* entry = sources_.getFileEntryForID(file);
-  const auto [place, fresh] = units_.try_emplace(entry);
+  const auto [place, fresh] = units_.try_emplace({entry, wide});
   if (!fresh || entry == nullptr) return place->second.get();
   const bool main = file == sources_.getMainFileID();
   const llvm::StringRef main_name = sources_.getFileEntryForID(sources_.getMainFileID())->getName();
@@ -35,10 +35,10 @@ unit* headers::unit_of(FileID file) {
            : preprocessor_.getHeaderSearchInfo().suggestPathToFileForDiagnostics(entry, main_name);
   if (header.rfind("glm/", 0) == 0) return nullptr;
   const bool ours = header.rfind("pelage/", 0) == 0;
-  std::filesystem::path path = ours ? header.substr(7) : header;
   unit& u = *(place->second = std::make_unique<unit>());
   u.header = header;
-  u.path = path.replace_extension("glsl").string();
+  u.name = std::filesystem::path(header).replace_extension(wide ? "" : "glsl").string() + (wide ? "_64.glsl" : "");
+  u.path = ours ? u.name.substr(7) : u.name;
   if (!ours || library_) return &u;
   u.include = "pelage/glsl/" + u.path;
   u.mirrored = true;
@@ -81,7 +81,7 @@ void headers::note_doc(const NamespaceDecl* space) {
 
 std::vector<const unit*> headers::written() const {
   std::vector<const unit*> all;
-  for (const auto& [entry, u] : units_) {
+  for (const auto& [key, u] : units_) {
     if (u && !u->mirrored && !u->entities.empty()) all.push_back(u.get());
   }
   return all;

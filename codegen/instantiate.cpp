@@ -55,10 +55,9 @@
 #include <pelage/order/k_buffer.hpp>
 #include <pelage/order/list_storage.hpp>
 #include <pelage/order/ordered_list.hpp>
+#include <pelage/order/packed_fragment.hpp>
 #include <pelage/order/slice_pieces.hpp>
-#include <pelage/order/slot_storage.hpp>
 #include <pelage/order/sorting_network.hpp>
-#include <pelage/order/split_slot_storage.hpp>
 #include <pelage/order/two_pass_k_buffer.hpp>
 #include <pelage/visibility/deep_shadow_map.hpp>
 #include <pelage/visibility/deep_shadow_vertex.hpp>
@@ -72,7 +71,8 @@
 namespace pelage {
 
 using vec3 = glm::vec3;
-using cells = atomic_cell_storage;
+using cells = atomic_cells<std::uint32_t>;
+using wide_cells = atomic_cells<std::uint64_t>;
 using colour = std::array<float, 3>;
 
 // core
@@ -141,16 +141,16 @@ template std::uint32_t a_buffer::next(const atomic_list_storage&, std::uint32_t)
 template fragment ordered_list::insert(atomic_list_storage&, std::uint32_t, fragment, std::uint32_t) noexcept;
 template std::uint32_t ordered_list::first(const atomic_list_storage&, std::uint32_t) noexcept;
 template std::uint32_t ordered_list::next(const atomic_list_storage&, std::uint32_t) noexcept;
-template fragment atomic_k_buffer::insert<16u>(atomic_slot_storage&, std::uint32_t, fragment) noexcept;
-template fragment atomic_k_buffer::insert<13u>(atomic_slot_storage&, std::uint32_t, fragment) noexcept;
-template fragment atomic_k_buffer::at<16u>(const atomic_slot_storage&, std::uint32_t, std::uint32_t) noexcept;
-template fragment atomic_k_buffer::at<13u>(const atomic_slot_storage&, std::uint32_t, std::uint32_t) noexcept;
-template void two_pass_k_buffer::offer_depth<16u>(atomic_split_slot_storage&, std::uint32_t, fragment) noexcept;
-template void two_pass_k_buffer::offer_depth<13u>(atomic_split_slot_storage&, std::uint32_t, fragment) noexcept;
-template fragment two_pass_k_buffer::insert<16u>(atomic_split_slot_storage&, std::uint32_t, fragment) noexcept;
-template fragment two_pass_k_buffer::insert<13u>(atomic_split_slot_storage&, std::uint32_t, fragment) noexcept;
-template fragment two_pass_k_buffer::at<16u>(const atomic_split_slot_storage&, std::uint32_t, std::uint32_t) noexcept;
-template fragment two_pass_k_buffer::at<13u>(const atomic_split_slot_storage&, std::uint32_t, std::uint32_t) noexcept;
+template fragment atomic_k_buffer::insert<16u>(wide_cells&, std::uint32_t, fragment) noexcept;
+template fragment atomic_k_buffer::insert<13u>(wide_cells&, std::uint32_t, fragment) noexcept;
+template fragment atomic_k_buffer::at<16u>(const wide_cells&, std::uint32_t, std::uint32_t) noexcept;
+template fragment atomic_k_buffer::at<13u>(const wide_cells&, std::uint32_t, std::uint32_t) noexcept;
+template void two_pass_k_buffer::offer_depth<16u>(cells&, std::uint32_t, fragment) noexcept;
+template void two_pass_k_buffer::offer_depth<13u>(cells&, std::uint32_t, fragment) noexcept;
+template fragment two_pass_k_buffer::insert<16u>(cells&, std::uint32_t, fragment) noexcept;
+template fragment two_pass_k_buffer::insert<13u>(cells&, std::uint32_t, fragment) noexcept;
+template fragment two_pass_k_buffer::at<16u>(const cells&, std::uint32_t, std::uint32_t) noexcept;
+template fragment two_pass_k_buffer::at<13u>(const cells&, std::uint32_t, std::uint32_t) noexcept;
 
 // visibility
 template void extend_depth_range(cells&, std::uint32_t, float) noexcept;

@@ -70,6 +70,7 @@ struct condition {
 /// One header and the .glsl that mirrors it.
 struct unit {
   std::string header;     ///< as a program includes it: pelage/order/k_buffer.hpp
+  std::string name;       ///< of the file, as a header's: pelage/order/k_buffer.glsl
   std::string path;       ///< below the output folder: order/k_buffer.glsl
   std::string include;    ///< how others include it where `path` will not do: library files seen from a user's
   bool mirrored = false;  ///< already there: a library header seen from a user's
@@ -89,8 +90,9 @@ class headers {
   /// `library`: the headers of pelage/ are what is written, not what is there already.
   headers(clang::Preprocessor& preprocessor, bool library);
 
-  /// The unit of a header of ours or of the translation unit's own file, or null for the rest of the world.
-  unit* unit_of(clang::FileID file);
+  /// The unit of a header of ours or of the translation unit's own file, or null for the rest of the world. `wide`:
+  /// that of its storage of 64-bit words, a file of its own, which shaders without 64-bit integers do not include.
+  unit* unit_of(clang::FileID file, bool wide = false);
 
   /// True for what stands in the translation unit's own file or in a header that it includes itself.
   bool is_named(const clang::Decl* d);
@@ -109,7 +111,7 @@ class headers {
   clang::SourceManager& sources_;
   bool library_;
   std::set<const clang::FileEntry*> named_;  ///< included by the translation unit's own file
-  std::map<const clang::FileEntry*, std::unique_ptr<unit>> units_;
+  std::map<std::pair<const clang::FileEntry*, bool>, std::unique_ptr<unit>> units_;
 };
 
 /// What comments that speak of C++ say in GLSL.

@@ -51,6 +51,20 @@ const std::set<std::string>& functions() {
   return all;
 }
 
+/// The names of what a declaration stands in and its own, with `between` between them, or `after_wide` behind what
+/// is_wide().
+std::string joined_names(const clang::NamedDecl* d, const char* between, const char* after_wide) {
+  std::string name = d->getDeclName().isIdentifier() ? d->getName().str() : operator_name(d);
+  for (const clang::DeclContext* c = d->getDeclContext(); c != nullptr; c = c->getParent()) {
+    const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(c);
+    const bool silent = space != nullptr && (space->isAnonymousNamespace() || space->isInline());
+    if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(c); named != nullptr && !silent) {
+      name = named->getNameAsString() + (is_wide(c) ? after_wide : between) + name;
+    }
+  }
+  return name;
+}
+
 }  // namespace
 
 std::string preprocessed(const std::string& expression) {
@@ -71,19 +85,11 @@ std::string operator_name(const clang::NamedDecl* d) {
 }
 
 std::string qualified_name(const clang::NamedDecl* d) {
-  std::string name = d->getDeclName().isIdentifier() ? d->getName().str() : operator_name(d);
-  for (const clang::DeclContext* c = d->getDeclContext(); c != nullptr; c = c->getParent()) {
-    const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(c);
-    const bool silent = space != nullptr && (space->isAnonymousNamespace() || space->isInline());
-    if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(c); named != nullptr && !silent) {
-      name = named->getNameAsString() + "::" + name;
-    }
-  }
-  return name;
+  return joined_names(d, "::", "::");
 }
 
 std::string global_name(const clang::NamedDecl* d) {
-  return std::regex_replace(qualified_name(d), std::regex("::"), "_");
+  return joined_names(d, "_", "_64_");
 }
 
 std::string bad_name(const std::string& name, bool is_field) {

@@ -12,7 +12,10 @@ namespace pelage::codegen {
 /// pelage::a_buffer::push, as one writes it: without template arguments, inline and anonymous namespaces.
 [[nodiscard]] std::string qualified_name(const clang::NamedDecl* d);
 
-/// pelage::a_buffer::push -> pelage_a_buffer_push.
+/// True for storage that is a template of its words, instantiated with a 64-bit integer.
+[[nodiscard]] bool is_wide(const clang::DeclContext* record);
+
+/// pelage::a_buffer::push -> pelage_a_buffer_push. Template arguments vanish, except that what is_wide() says _64.
 [[nodiscard]] std::string global_name(const clang::NamedDecl* d);
 
 /// What an operator that is a function is called: `multiply` for operator*(a, b); nothing for those without a name.

@@ -14,6 +14,15 @@ bool translator::is_storage(const CXXRecordDecl* r) {
          });
 }
 
+bool is_wide(const DeclContext* record) {
+  const auto* r = dyn_cast<ClassTemplateSpecializationDecl>(record);
+  if (r == nullptr || !translator::is_storage(r) || r->getTemplateArgs()[0].getKind() != TemplateArgument::Type) {
+    return false;
+  }
+  const QualType word = r->getTemplateArgs()[0].getAsType();
+  return word->isIntegerType() && r->getASTContext().getTypeSize(word) == 64;
+}
+
 /// std::array, with the size as it is written: the canonical type knows only one instantiation's number.
 std::optional<translator::array> translator::array_of(QualType t) {
   const auto* written = t->getAs<TemplateSpecializationType>();
@@ -53,7 +62,8 @@ std::string translator::scalar_type(QualType t, SourceLocation where) {
   if (width < 32) return reject(where, narrow);
   if (width > 64 || !builtin->isInteger()) return reject(where, "type " + t.getAsString() + " has no GLSL form");
   const auto* declared = t->getAs<TypedefType>();
-  const std::string name = declared == nullptr ? "" : declared->getDecl()->getName().str();
+  std::string name = declared == nullptr ? "" : declared->getDecl()->getName().str();
+  if (t->getAs<SubstTemplateTypeParmType>() != nullptr) name = t->isUnsignedIntegerType() ? "uint64_t" : "int64_t";
   if (name != "uint64_t" && name != "int64_t") {
     return reject(where, "64-bit integer that is not declared as std::uint64_t or std::int64_t" +
                              (name.empty() ? "" : " but as " + name));

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include <pelage/order/slot_storage.hpp>
+#include <pelage/order/packed_fragment.hpp>
 
 #include "contender.hpp"
 

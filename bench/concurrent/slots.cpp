@@ -16,12 +16,11 @@ class cascade : public contender {
  public:
   [[nodiscard]] std::string name() const override { return "atomic_k_buffer"; }
   void prepare(const workload& work) override {
-    slots_.assign(std::size_t{work.list_count} * K, 0u);
-    storage_ = atomic_slot_storage{slots_};
-    storage_.clear();
+    slots_.assign(std::size_t{work.list_count} * K, pack(no_fragment()));
+    storage_ = atomic_cells<std::uint64_t>{slots_};
   }
   void insert(const workload& work, std::size_t first, std::size_t last) override {
-    atomic_slot_storage storage = storage_;
+    atomic_cells<std::uint64_t> storage = storage_;
     for (std::size_t i = first; i < last; ++i) {
       static_cast<void>(atomic_k_buffer::insert<K>(storage, work.offers[i].list, work.offers[i].offered));
     }
@@ -39,7 +38,7 @@ class cascade : public contender {
 
  private:
   std::vector<std::uint64_t> slots_;
-  atomic_slot_storage storage_{};
+  atomic_cells<std::uint64_t> storage_{};
 };
 
 /// The lock that a shader's spinlock is: one word a pixel, taken by exchange, watched by loads.

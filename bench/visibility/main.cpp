@@ -210,11 +210,8 @@ class race {
   void add_range() {
     auto cells = std::make_shared<std::vector<std::uint32_t>>(2u * texels);
     add("depth range, atomics in order of arrival", [this, cells] {
-      for (std::size_t t = 0; t < texels; ++t) {
-        (*cells)[2u * t] = depth_range::empty().nearest;
-        (*cells)[2u * t + 1u] = depth_range::empty().farthest;
-      }
-      atomic_cell_storage storage{*cells};
+      std::fill(cells->begin(), cells->end(), 0u);
+      atomic_cells<std::uint32_t> storage{*cells};
       for (const std::uint32_t i : scene_.arrival) {
         extend_depth_range(storage, static_cast<std::uint32_t>(i / scene_.per_texel), scene_.all[i].depth);
       }
@@ -226,7 +223,7 @@ class race {
     auto cells = std::make_shared<std::vector<std::uint32_t>>(map::cells * texels);
     return add("occupancy 128/4, put in by atomics in order of arrival", [this, cells] {
       std::fill(cells->begin(), cells->end(), 0u);
-      atomic_cell_storage storage{*cells};
+      atomic_cells<std::uint32_t> storage{*cells};
       for (const std::uint32_t i : scene_.arrival) {
         add_to_occupancy_map<map>(storage, static_cast<std::uint32_t>(i / scene_.per_texel),
                                   slice_position(scene_.relative[i], 128u), 1u);

@@ -43,7 +43,7 @@ void check_sums(const std::vector<layer>& all, const glm::vec3& background) {
   tail sum = empty_tail();
   tail backwards = empty_tail();
   std::array<std::uint32_t, tail_words()> cells{};
-  atomic_cell_storage storage{cells};
+  atomic_cells<std::uint32_t> storage{cells};
   weighted_average mean = weighted_average::empty();
   weighted_average halves = weighted_average::empty();
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -82,7 +82,7 @@ void check_samples(const std::vector<layer>& all, std::uint32_t seed) {
   const std::uint32_t stream = stochastic_stream(seed, 0u);
   auto depths = stochastic_depths<samples>::empty();
   std::vector<std::uint32_t> cells(samples, 0xffffffffu);
-  atomic_cell_storage storage{cells};
+  atomic_cells<std::uint32_t> storage{cells};
   bool opaque = false;
   float nearest_opaque = std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -47,7 +47,7 @@ void check_tail(std::vector<layer> layers, std::size_t cut) {
   fuzz::law(equal(merge(front, back), forwards) && equal(merge(back, front), forwards), "tails merge in any way");
 
   std::array<std::uint32_t, tail_words()> words{};
-  atomic_cell_storage storage{words};
+  atomic_cells<std::uint32_t> storage{words};
   std::reverse(layers.begin(), layers.end());
   for (const layer& l : layers) {
     atomic_tail::add(storage, 0u, add_fragment(empty_tail(), l.alpha, l.colour));

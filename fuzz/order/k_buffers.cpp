@@ -49,9 +49,8 @@ held by_selection(const std::vector<fragment>& all) {
 template <std::uint32_t K>
 held by_cascade(const std::vector<fragment>& all) {
   held h;
-  std::vector<std::uint64_t> slots(K);
-  atomic_slot_storage storage{slots};
-  storage.clear();
+  std::vector<std::uint64_t> slots(K, pack(no_fragment()));
+  atomic_cells<std::uint64_t> storage{slots};
   for (const fragment f : all) {
     h.lost(atomic_k_buffer::insert<K>(storage, 0u, f));
   }
@@ -64,10 +63,8 @@ held by_cascade(const std::vector<fragment>& all) {
 template <std::uint32_t K>
 held by_two_passes(const std::vector<fragment>& all) {
   held h;
-  std::vector<std::uint32_t> depths(K);
-  std::vector<std::uint32_t> ids(K);
-  atomic_split_slot_storage storage{depths, ids};
-  storage.clear();
+  std::vector<std::uint32_t> cells(2U * K, 0xffffffffU);
+  atomic_cells<std::uint32_t> storage{cells};
   for (const fragment f : all) {
     two_pass_k_buffer::offer_depth<K>(storage, 0u, f);
   }

@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   auto clusters = density_clusters<bins>::empty();
   std::vector<std::uint32_t> cells(density_clusters<bins>::cells, 0u);
-  atomic_cell_storage storage{cells};
+  atomic_cells<std::uint32_t> storage{cells};
   for (std::size_t i = 0; i < positions.size(); ++i) {
     clusters.add(positions[i]);
     add_to_density_clusters<bins>(storage, 0u, positions[positions.size() - 1 - i]);

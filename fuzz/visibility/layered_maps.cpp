@@ -92,7 +92,7 @@ void check_occupancy(const std::vector<amount_at>& fragments, const std::vector<
   check_map<map_type>(fragments, positions, Slices, Slices / Slabs);
   map_type map = map_type::empty();
   std::vector<std::uint32_t> cells(map_type::cells, 0u);
-  atomic_cell_storage storage{cells};
+  atomic_cells<std::uint32_t> storage{cells};
   for (std::size_t i = 0; i < fragments.size(); ++i) {
     map.add(fragments[i].at, fragments[i].amount);
     const amount_at& other = fragments[fragments.size() - 1 - i];
@@ -111,7 +111,7 @@ void check_opacity(const std::vector<amount_at>& fragments, const std::vector<fl
   check_map<opacity_map<Layers>>(fragments, positions, Layers, 1u);
   auto map = opacity_map<Layers>::empty();
   std::vector<std::uint32_t> cells(Layers, 0u);
-  atomic_cell_storage storage{cells};
+  atomic_cells<std::uint32_t> storage{cells};
   for (std::size_t i = 0; i < fragments.size(); ++i) {
     map.add(fragments[i].at, fragments[i].amount);
     const amount_at& other = fragments[fragments.size() - 1 - i];

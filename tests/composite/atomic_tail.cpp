@@ -32,7 +32,7 @@ rc::Gen<tail> any_tail() {
 /// What two pixels hold after threads have added to the second one.
 std::array<tail, 2> added(const std::vector<tail>& parts, std::uint32_t threads) {
   std::vector<std::uint32_t> words(2u * tail_words(), 0u);
-  atomic_cell_storage storage{words};
+  atomic_cells<std::uint32_t> storage{words};
   in_threads(threads, [&](std::uint32_t t) {
     for (std::size_t i = t; i < parts.size(); i += threads) {
       atomic_tail::add(storage, 1u, parts[i]);

@@ -98,28 +98,25 @@ struct passes_nothing_over : watched_slots {
 /// Second pass: a slot goes to the id that comes first.
 struct ids_by_arrival : watched_split_slots {
   using watched_split_slots::watched_split_slots;
-  std::uint32_t min_id(std::uint32_t slot, std::uint32_t id, order o) {
+  std::uint32_t fetch_min(std::uint32_t n, std::uint32_t id, order o) {
+    if (!is_id(n)) {
+      return watched_split_slots::fetch_min(n, id, o);
+    }
     std::uint32_t held = no_fragment().id;
-    return id_cell(slot).compare_exchange_strong(held, id, o, relaxed) ? held : id;
+    return cell(n).compare_exchange_strong(held, id, o, relaxed) ? held : id;
   }
 };
 
-/// First pass: a minimum in two steps.
-struct depths_in_two_steps : watched_split_slots {
+/// A minimum in two steps, in the first pass or in the second one.
+template <bool Ids>
+struct split_minimum_in_two_steps : watched_split_slots {
   using watched_split_slots::watched_split_slots;
-  std::uint32_t min_depth(std::uint32_t slot, std::uint32_t key, order o) {
-    const std::uint32_t held = load_depth(slot, o);
-    depth_cell(slot).store(std::min(held, key), o);
-    return held;
-  }
-};
-
-/// The same in the second pass.
-struct ids_in_two_steps : watched_split_slots {
-  using watched_split_slots::watched_split_slots;
-  std::uint32_t min_id(std::uint32_t slot, std::uint32_t id, order o) {
-    const std::uint32_t held = load_id(slot, o);
-    id_cell(slot).store(std::min(held, id), o);
+  std::uint32_t fetch_min(std::uint32_t n, std::uint32_t value, order o) {
+    if (is_id(n) != Ids) {
+      return watched_split_slots::fetch_min(n, value, o);
+    }
+    const std::uint32_t held = load(n, o);
+    cell(n).store(std::min(held, value), o);
     return held;
   }
 };
@@ -176,8 +173,8 @@ TEST_CASE("atomic_k_buffer: each fault is found") {
 }
 
 TEST_CASE("two_pass_k_buffer: each fault is found") {
-  found_in_two_passes<depths_in_two_steps>("(2) a minimum in two steps", "the slots are not");
-  found_in_two_passes<ids_in_two_steps>("(4) a minimum in two steps", "the slots are not");
+  found_in_two_passes<split_minimum_in_two_steps<false>>("(2) a minimum in two steps", "the slots are not");
+  found_in_two_passes<split_minimum_in_two_steps<true>>("(4) a minimum in two steps", "the slots are not");
   found_in_two_passes<ids_by_arrival>("(4) ids go by arrival", "the slots are not");
   found_in_two_passes<watched_split_slots, missing_barrier>("(3) no barrier between the passes", "the slots are not");
   found_in_two_passes<watched_split_slots, barrier_arriving_relaxed>("(3) that barrier arrives relaxed",

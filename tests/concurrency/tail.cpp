@@ -5,7 +5,7 @@
 #include <pelage/composite/atomic_tail.hpp>
 
 #include "concurrency/report.hpp"
-#include "concurrency/watched.hpp"
+#include "concurrency/watched_cells.hpp"
 
 #include <doctest/doctest.h>
 
@@ -18,54 +18,23 @@ namespace {
 using namespace pelage;
 using namespace pelage::explore;
 
-/// cell_storage of watched cells, with the atomics of hardware.
-class watched_words {
- public:
-  watched_words() {
-    for (std::uint32_t i = 0; i < tail_words(); ++i) {
-      words_.emplace_back("word " + std::to_string(i));
-    }
-  }
-  [[nodiscard]] std::uint32_t size() const { return tail_words(); }
-  [[nodiscard]] std::uint32_t load(std::uint32_t word, std::memory_order order) const {
-    return words_[word].load(order);
-  }
-  std::uint32_t fetch_add(std::uint32_t word, std::uint32_t value, std::memory_order order) {
-    return words_[word].fetch_add(value, order);
-  }
-  std::uint32_t fetch_or(std::uint32_t word, std::uint32_t bits, std::memory_order order) {
-    return words_[word].fetch_or(bits, order);
-  }
-  std::uint32_t fetch_min(std::uint32_t word, std::uint32_t value, std::memory_order order) {
-    return words_[word].fetch_min(value, order);
-  }
-  std::uint32_t fetch_max(std::uint32_t word, std::uint32_t value, std::memory_order order) {
-    return words_[word].fetch_max(value, order);
-  }
-  std::uint32_t compare_exchange(std::uint32_t word, std::uint32_t expected, std::uint32_t desired,
-                                 std::memory_order order) {
-    words_[word].compare_exchange_strong(expected, desired, order, std::memory_order_relaxed);
-    return expected;
-  }
-
- protected:
-  std::vector<watched_atomic<std::uint32_t>> words_;
+/// The cells of an atomic_tail's pixel.
+struct watched_words : watched_cells<std::uint32_t> {
+  watched_words() { add_cells(tail_words(), "word", 0u); }
 };
-
-static_assert(cell_storage<watched_words>);
 
 struct adds_in_two_steps : watched_words {
   std::uint32_t fetch_add(std::uint32_t word, std::uint32_t value, std::memory_order order) {
-    const std::uint32_t held = words_[word].load(order);
-    words_[word].store(held + value, order);
+    const std::uint32_t held = cell(word).load(order);
+    cell(word).store(held + value, order);
     return held;
   }
 };
 
 struct sets_bits_in_two_steps : watched_words {
   std::uint32_t fetch_or(std::uint32_t word, std::uint32_t bits, std::memory_order order) {
-    const std::uint32_t held = words_[word].load(order);
-    words_[word].store(held | bits, order);
+    const std::uint32_t held = cell(word).load(order);
+    cell(word).store(held | bits, order);
     return held;
   }
 };

@@ -62,7 +62,7 @@ TEST_CASE("20,000 changes at full speed are all in the cells") {
   for (std::uint32_t i = 0u; i < 20000u; ++i) {
     values.push_back(i * 7919u % 100003u);
   }
-  CHECK(changed_by<atomic_cell_storage>(8u, values) == expected_of(values));
+  CHECK(changed_by<atomic_cells<std::uint32_t>>(8u, values) == expected_of(values));
 }
 
 TEST_CASE("seeded: cells that change in two steps lose changes") {

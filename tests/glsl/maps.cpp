@@ -38,17 +38,13 @@ struct map_cells {
   std::uint32_t begin = 0;
 
   /// The cells of the next kind of map.
-  atomic_cell_storage next(std::uint32_t cells_a_texel) {
-    const atomic_cell_storage part{std::span(cells).subspan(begin, cells_a_texel * texels)};
+  atomic_cells<std::uint32_t> next(std::uint32_t cells_a_texel) {
+    const atomic_cells<std::uint32_t> part{std::span(cells).subspan(begin, cells_a_texel * texels)};
     begin += cells_a_texel * texels;
     return part;
   }
 
   explicit map_cells(std::uint32_t n) : texels(n), cells(n * cells_of_texel) {
-    for (std::uint32_t t = 0; t < n; ++t) {
-      cells[2 * t] = depth_range::empty().nearest;
-      cells[2 * t + 1] = depth_range::empty().farthest;
-    }
     const std::uint32_t before = cells_of_texel - samples - sums;
     std::fill_n(cells.begin() + before * n, samples * n, 0xffffffffU);
   }
@@ -57,17 +53,17 @@ struct map_cells {
     const float share = static_cast<float>(f.id >> 8U) * (1.0F / 16777216.0F);
     const tail one{f.id, f.id >> 4U, f.id >> 8U, f.id >> 12U, f.id & 1U};
     begin = 0;
-    atomic_cell_storage ranges = next(range_cells);
+    atomic_cells<std::uint32_t> ranges = next(range_cells);
     extend_depth_range(ranges, texel, f.depth);
-    atomic_cell_storage occupancies = next(occupancy::cells);
+    atomic_cells<std::uint32_t> occupancies = next(occupancy::cells);
     add_to_occupancy_map<occupancy>(occupancies, texel, share * 128.0F, f.id);
-    atomic_cell_storage opacities = next(layers);
+    atomic_cells<std::uint32_t> opacities = next(layers);
     add_to_opacity_map<layers>(opacities, texel, share * 16.0F, f.id);
-    atomic_cell_storage densities = next(density_clusters<clusters>::cells);
+    atomic_cells<std::uint32_t> densities = next(density_clusters<clusters>::cells);
     add_to_density_clusters<clusters>(densities, texel, share * 4.0F);
-    atomic_cell_storage stochastic = next(samples);
+    atomic_cells<std::uint32_t> stochastic = next(samples);
     add_to_stochastic_depths<samples>(stochastic, texel, f, share, 7U);
-    atomic_cell_storage tails = next(sums);
+    atomic_cells<std::uint32_t> tails = next(sums);
     atomic_tail::add(tails, texel, one);
   }
 

@@ -55,9 +55,8 @@ TEST_CASE("K-buffers of 64-bit slots that 65536 invocations build at once equal 
     return;
   }
   for_all_frames([](std::uint32_t pixels, const std::vector<fragment>& fragments) {
-    std::vector<std::uint64_t> slots(pixels * k);
-    atomic_slot_storage storage{slots};
-    storage.clear();
+    std::vector<std::uint64_t> slots(pixels * k, pack(no_fragment()));
+    atomic_cells<std::uint64_t> storage{slots};
     std::vector<fragment> expected_lost;
     for (std::uint32_t i = 0; i < fragments.size(); ++i)
       expected_lost.push_back(atomic_k_buffer::insert<k>(storage, i % pixels, fragments[i]));
@@ -71,9 +70,8 @@ TEST_CASE("K-buffers of 64-bit slots that 65536 invocations build at once equal 
     std::vector<std::uint32_t> built(expected.size(), 0xffffffffU);
     for (std::size_t i = 1; i < built.size(); i += 2)
       built[i] = static_cast<std::uint32_t>(pack(no_fragment()) >> 32U);
-    std::vector<std::uint32_t> unused(1);
     std::vector<std::uint32_t> lost(2 * fragments.size());
-    std::vector<std::uint32_t>* const buffers[] = {&offers, &built, &unused, &lost};
+    std::vector<std::uint32_t>* const buffers[] = {&offers, &built, &lost};
     the_device()->run(kernels::atomic_k_buffer, static_cast<std::uint32_t>(fragments.size()), buffers);
     CHECK(built == expected);
     CHECK(packed(lost) == packed(expected_lost));
@@ -82,12 +80,9 @@ TEST_CASE("K-buffers of 64-bit slots that 65536 invocations build at once equal 
 
 TEST_CASE("K-buffers of 32-bit slots that 65536 invocations build in two passes equal those built one by one") {
   for_all_frames([](std::uint32_t pixels, const std::vector<fragment>& fragments) {
-    std::vector<std::uint32_t> depths(pixels * k);
-    std::vector<std::uint32_t> ids(pixels * k);
-    atomic_split_slot_storage storage{depths, ids};
-    storage.clear();
-    std::vector<std::uint32_t> built_depths = depths;
-    std::vector<std::uint32_t> built_ids = ids;
+    std::vector<std::uint32_t> cells(2 * pixels * k, 0xffffffffU);
+    atomic_cells<std::uint32_t> storage{cells};
+    std::vector<std::uint32_t> built = cells;
     std::vector<fragment> expected_lost;
     std::vector<fragment> expected_slots;
     for (std::uint32_t i = 0; i < fragments.size(); ++i)
@@ -101,15 +96,14 @@ TEST_CASE("K-buffers of 32-bit slots that 65536 invocations build in two passes 
     std::vector<std::uint32_t> lost(2 * fragments.size());
     std::vector<std::uint32_t> slots(2 * fragments.size());
     const auto pass = [&](const kernel& program, std::vector<std::uint32_t>& result) {
-      std::vector<std::uint32_t>* const buffers[] = {&offers, &built_depths, &built_ids, &result};
+      std::vector<std::uint32_t>* const buffers[] = {&offers, &built, &result};
       the_device()->run(program, static_cast<std::uint32_t>(fragments.size()), buffers);
     };
     pass(kernels::two_pass_depths, lost);
     pass(kernels::two_pass_ids, lost);
     pass(kernels::two_pass_read, slots);
     slots.resize(2 * expected_slots.size());
-    CHECK(built_depths == depths);
-    CHECK(built_ids == ids);
+    CHECK(built == cells);
     CHECK(packed(lost) == packed(expected_lost));
     CHECK(packed(slots) == packed(expected_slots));
   });

@@ -20,7 +20,7 @@ cells=$(grep -rhoE '^#error .*: define PELAGE_[A-Z0-9_]+(\(i\))?' "$include/pela
   case $cell in
     *NODES\(i\)) echo "#define $cell fragments[i]" ;;
     *_VERTICES\(i\)) echo "#define $cell vertices[i]" ;;
-    *_ATOMIC_SLOT_STORAGE_*\(i\)) echo "#define $cell wide[i]" ;;
+    *_ATOMIC_CELLS_64_*\(i\)) echo "#define $cell wide[i]" ;;
     *\(i\)) echo "#define $cell words[i]" ;;
     *_SIZE) echo "#define $cell 64" ;;
     *) echo "#define $cell one" ;;

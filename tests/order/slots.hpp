@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/order/slot_storage.hpp>
-#include <pelage/order/split_slot_storage.hpp>
+#include <pelage/core/atomic_cells.hpp>
+#include <pelage/order/packed_fragment.hpp>
 
 #include "order/oracle.hpp"
 
@@ -32,17 +32,14 @@ void in_threads(std::uint32_t threads, Work work) {
 /// A few pixels of K slots, the one under test between two that nobody touches.
 template <std::uint32_t K>
 struct packed_pixels {
-  std::vector<std::uint64_t> memory = std::vector<std::uint64_t>(3u * K);
-  atomic_slot_storage storage{memory};
-  packed_pixels() { storage.clear(); }
+  std::vector<std::uint64_t> memory = std::vector<std::uint64_t>(3u * K, pack(no_fragment()));
+  atomic_cells<std::uint64_t> storage{memory};
 };
 
 template <std::uint32_t K>
 struct split_pixels {
-  std::vector<std::uint32_t> depths = std::vector<std::uint32_t>(3u * K);
-  std::vector<std::uint32_t> ids = std::vector<std::uint32_t>(3u * K);
-  atomic_split_slot_storage storage{depths, ids};
-  split_pixels() { storage.clear(); }
+  std::vector<std::uint32_t> memory = std::vector<std::uint32_t>(6u * K, 0xffffffffu);
+  atomic_cells<std::uint32_t> storage{memory};
 };
 
 /// What is in the slots of the middle pixel, and what came back from it.

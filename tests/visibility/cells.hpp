@@ -17,7 +17,7 @@ namespace pelage::test {
 template <class Storage>
 class cells_of : public Storage {
  public:
-  cells_of(std::uint32_t count, std::uint32_t value) : memory_(count, value) { this->cells = memory_; }
+  cells_of(std::uint32_t count, std::uint32_t value) : memory_(count, value) { this->words = memory_; }
   cells_of(const cells_of&) = delete;
   cells_of& operator=(const cells_of&) = delete;
 
@@ -28,27 +28,27 @@ class cells_of : public Storage {
 };
 
 /// Lets other threads run at times between the load of a cell and its change.
-struct shaken_cells : atomic_cell_storage {
+struct shaken_cells : atomic_cells<std::uint32_t> {
   std::uint32_t fetch_min(std::uint32_t cell, std::uint32_t value, std::memory_order order) {
     give_way();
-    return fetch_minimum(shaken{std::atomic_ref(cells[cell])}, value, order);
+    return fetch_minimum(shaken{std::atomic_ref(words[cell])}, value, order);
   }
   std::uint32_t fetch_max(std::uint32_t cell, std::uint32_t value, std::memory_order order) {
     give_way();
-    return fetch_maximum(shaken{std::atomic_ref(cells[cell])}, value, order);
+    return fetch_maximum(shaken{std::atomic_ref(words[cell])}, value, order);
   }
   std::uint32_t fetch_or(std::uint32_t cell, std::uint32_t bits, std::memory_order order) {
     give_way();
-    return atomic_cell_storage::fetch_or(cell, bits, order);
+    return atomic_cells<std::uint32_t>::fetch_or(cell, bits, order);
   }
   std::uint32_t fetch_add(std::uint32_t cell, std::uint32_t amount, std::memory_order order) {
     give_way();
-    return atomic_cell_storage::fetch_add(cell, amount, order);
+    return atomic_cells<std::uint32_t>::fetch_add(cell, amount, order);
   }
   std::uint32_t compare_exchange(std::uint32_t cell, std::uint32_t expected, std::uint32_t desired,
                                  std::memory_order order) {
     give_way();
-    return atomic_cell_storage::compare_exchange(cell, expected, desired, order);
+    return atomic_cells<std::uint32_t>::compare_exchange(cell, expected, desired, order);
   }
 
  private:
@@ -71,7 +71,7 @@ struct shaken_cells : atomic_cell_storage {
 };
 
 /// A fault: two steps where the concept asks for one.
-struct torn_cells : atomic_cell_storage {
+struct torn_cells : atomic_cells<std::uint32_t> {
   std::uint32_t fetch_min(std::uint32_t cell, std::uint32_t value, std::memory_order order) {
     const std::uint32_t found = load(cell, order);
     return put(cell, std::min(found, value), found, order);
@@ -96,7 +96,7 @@ struct torn_cells : atomic_cell_storage {
  private:
   std::uint32_t put(std::uint32_t cell, std::uint32_t value, std::uint32_t found, std::memory_order order) {
     std::this_thread::yield();
-    std::atomic_ref(cells[cell]).store(value, order);
+    std::atomic_ref(words[cell]).store(value, order);
     return found;
   }
 };

@@ -49,9 +49,8 @@ void resolve_slots(order_job& work, const list_memory& memory, std::uint32_t k, 
 
 template <std::uint32_t K>
 void run_atomic(order_job& work, list_memory& memory) {
-  std::vector<std::uint64_t> slots(work.pixels() * K);
-  atomic_slot_storage nearest{slots};
-  nearest.clear();
+  std::vector<std::uint64_t> slots(work.pixels() * K, pack(no_fragment()));
+  atomic_cells<std::uint64_t> nearest{slots};
   work.report.bytes += slots.size() * sizeof(std::uint64_t);
   stopwatch watch;
   insert_all(work, memory,
@@ -64,11 +63,9 @@ void run_atomic(order_job& work, list_memory& memory) {
 /// Both passes' ends are barriers, as parallel_for() returns when all is done.
 template <std::uint32_t K>
 void run_two_pass(order_job& work, list_memory& memory) {
-  std::vector<std::uint32_t> depths(work.pixels() * K);
-  std::vector<std::uint32_t> ids(work.pixels() * K);
-  atomic_split_slot_storage nearest{depths, ids};
-  nearest.clear();
-  work.report.bytes += (depths.size() + ids.size()) * sizeof(std::uint32_t);
+  std::vector<std::uint32_t> cells(work.pixels() * 2U * K, 0xffffffffU);
+  atomic_cells<std::uint32_t> nearest{cells};
+  work.report.bytes += cells.size() * sizeof(std::uint32_t);
   stopwatch watch;
   work.for_each_fragment(
       [&](int x, int y, fragment f) { two_pass_k_buffer::offer_depth<K>(nearest, memory.list(work, x, y), f); });
@@ -89,7 +86,7 @@ void run_atomic_k_buffer(order_job& work, std::uint32_t k) {
 }
 
 void run_two_pass_k_buffer(order_job& work, std::uint32_t k) {
-  check_slots(work, k);
+  check_slots(work, 2U * k);
   list_memory memory(work, 1);
   work.report.behind = memory.beyond(k);
   with_compiled_k(k, [&](auto constant) { run_two_pass<decltype(constant)::value>(work, memory); });

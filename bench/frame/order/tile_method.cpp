@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #include <pelage/order/k_select.hpp>
-#include <pelage/order/slot_storage.hpp>
+#include <pelage/order/packed_fragment.hpp>
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>

@@ -25,15 +25,6 @@ namespace atomic_tail {
 /// Wait-free where the hardware adds atomically; O(1): at most 6 atomics, none for a sum that gains nothing. Memory
 /// orders: (1) and (2) of add_and_mark().
 template <cell_storage Storage>
-void add(Storage& storage, std::uint32_t pixel, const tail& one) noexcept;
-
-/// The tail that merge() gives for all that was added. Not concurrent with add: (3) of load_marked().
-template <cell_storage Storage>
-[[nodiscard]] tail load(const Storage& storage, std::uint32_t pixel) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <cell_storage Storage>
 void add(Storage& storage, std::uint32_t pixel, const tail& one) noexcept {
   PELAGE_ASSERT(pixel < storage.size() / tail_words());
   const std::uint32_t first = pixel * tail_words();
@@ -44,8 +35,9 @@ void add(Storage& storage, std::uint32_t pixel, const tail& one) noexcept {
   add_and_mark(storage, first + 4u, one.blue, first + 5u, 16u);
 }
 
+/// The tail that merge() gives for all that was added. Not concurrent with add: (3) of load_marked().
 template <cell_storage Storage>
-tail load(const Storage& storage, std::uint32_t pixel) noexcept {
+[[nodiscard]] tail load(const Storage& storage, std::uint32_t pixel) noexcept {
   PELAGE_ASSERT(pixel < storage.size() / tail_words());
   const std::uint32_t first = pixel * tail_words();
   return tail{load_marked(storage, first, first + 5u, 1u), load_marked(storage, first + 1u, first + 5u, 2u),

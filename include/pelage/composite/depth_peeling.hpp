@@ -17,16 +17,26 @@ struct depth_peeling {
   bool began;        ///< a layer has been peeled
 
   /// Before the first pass.
-  [[nodiscard]] static constexpr depth_peeling begin() noexcept;
+  [[nodiscard]] static constexpr depth_peeling begin() noexcept {
+    return depth_peeling{no_fragment(), no_fragment(), false};
+  }
 
   /// Offers a fragment to this pass. What is_fragment() refuses changes nothing. O(1).
-  constexpr void offer(fragment offered) noexcept;
+  constexpr void offer(fragment offered) noexcept {
+    if (is_fragment(offered) && (!began || before(last, offered)) && before(offered, nearest)) {
+      nearest = offered;
+    }
+  }
 
   /// The layer that the pass found, or no_fragment().
-  [[nodiscard]] constexpr fragment layer() const noexcept;
+  [[nodiscard]] constexpr fragment layer() const noexcept { return nearest; }
 
   /// Ends the pass.
-  constexpr void advance() noexcept;
+  constexpr void advance() noexcept {
+    last = nearest;
+    nearest = no_fragment();
+    began = true;
+  }
 };
 
 /// Two layers a pass, the nearest and the farthest that are left. [Bavoil & Myers 2008, §3] n / 2 + 1 passes. Fronts
@@ -39,74 +49,38 @@ struct dual_depth_peeling {
   bool began;           ///< a front has been peeled
 
   /// Before the first pass.
-  [[nodiscard]] static constexpr dual_depth_peeling begin() noexcept;
+  [[nodiscard]] static constexpr dual_depth_peeling begin() noexcept {
+    return dual_depth_peeling{no_fragment(), no_fragment(), no_fragment(), no_fragment(), false};
+  }
 
   /// Offers a fragment to this pass. What is_fragment() refuses changes nothing. O(1).
-  constexpr void offer(fragment offered) noexcept;
+  constexpr void offer(fragment offered) noexcept {
+    // no_fragment() lies behind every fragment, so that before the first back none is too far.
+    if (!is_fragment(offered) || (began && !before(front_last, offered)) || !before(offered, back_last)) {
+      return;
+    }
+    if (before(offered, nearest)) {
+      nearest = offered;
+    }
+    if (!is_fragment(farthest) || before(farthest, offered)) {
+      farthest = offered;
+    }
+  }
 
   /// The front that the pass found, or no_fragment().
-  [[nodiscard]] constexpr fragment front() const noexcept;
+  [[nodiscard]] constexpr fragment front() const noexcept { return nearest; }
 
   /// The back that the pass found, or no_fragment() when there is none or it is the front.
-  [[nodiscard]] constexpr fragment back() const noexcept;
+  [[nodiscard]] constexpr fragment back() const noexcept { return same(nearest, farthest) ? no_fragment() : farthest; }
 
   /// Ends the pass.
-  constexpr void advance() noexcept;
+  constexpr void advance() noexcept {
+    front_last = nearest;
+    back_last = farthest;
+    nearest = no_fragment();
+    farthest = no_fragment();
+    began = true;
+  }
 };
-
-// ---------------------------------------------------------------------------------------------------------
-
-constexpr depth_peeling depth_peeling::begin() noexcept {
-  return depth_peeling{no_fragment(), no_fragment(), false};
-}
-
-constexpr void depth_peeling::offer(fragment offered) noexcept {
-  if (is_fragment(offered) && (!began || before(last, offered)) && before(offered, nearest)) {
-    nearest = offered;
-  }
-}
-
-constexpr fragment depth_peeling::layer() const noexcept {
-  return nearest;
-}
-
-constexpr void depth_peeling::advance() noexcept {
-  last = nearest;
-  nearest = no_fragment();
-  began = true;
-}
-
-constexpr dual_depth_peeling dual_depth_peeling::begin() noexcept {
-  return dual_depth_peeling{no_fragment(), no_fragment(), no_fragment(), no_fragment(), false};
-}
-
-constexpr void dual_depth_peeling::offer(fragment offered) noexcept {
-  // no_fragment() lies behind every fragment, so that before the first back none is too far.
-  if (!is_fragment(offered) || (began && !before(front_last, offered)) || !before(offered, back_last)) {
-    return;
-  }
-  if (before(offered, nearest)) {
-    nearest = offered;
-  }
-  if (!is_fragment(farthest) || before(farthest, offered)) {
-    farthest = offered;
-  }
-}
-
-constexpr fragment dual_depth_peeling::front() const noexcept {
-  return nearest;
-}
-
-constexpr fragment dual_depth_peeling::back() const noexcept {
-  return same(nearest, farthest) ? no_fragment() : farthest;
-}
-
-constexpr void dual_depth_peeling::advance() noexcept {
-  front_last = nearest;
-  back_last = farthest;
-  nearest = no_fragment();
-  farthest = no_fragment();
-  began = true;
-}
 
 }  // namespace pelage

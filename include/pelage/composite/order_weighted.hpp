@@ -13,22 +13,18 @@ namespace pelage {
 
 /// The weight of a fragment behind `order` others of its own alpha, [0, 1]. `order`: [0, inf). `alpha`: clamped to
 /// [0, 1]; where it is 1 only order 0 weighs anything. NaN gives 0 or NaN.
-[[nodiscard]] constexpr float order_weight(float alpha, float order) noexcept;
-
-/// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum optical_depth(alpha), and so
-/// know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
-[[nodiscard]] constexpr float optical_weight(float alpha, float optical) noexcept {
-  return saturate(alpha) * fast_exp2(-optical * (1.0f / 1048576.0f));
-}
-
-// ---------------------------------------------------------------------------------------------------------
-
-constexpr float order_weight(float alpha, float order) noexcept {
+[[nodiscard]] constexpr float order_weight(float alpha, float order) noexcept {
   const float held = saturate(alpha);
   if (held >= 1.0f) {
     return order > 0.0f ? 0.0f : 1.0f;
   }
   return held * fast_exp2(order * fast_log2(1.0f - held));
+}
+
+/// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum optical_depth(alpha), and so
+/// know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
+[[nodiscard]] constexpr float optical_weight(float alpha, float optical) noexcept {
+  return saturate(alpha) * fast_exp2(-optical * (1.0f / 1048576.0f));
 }
 
 }  // namespace pelage

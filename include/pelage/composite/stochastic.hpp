@@ -12,6 +12,13 @@
 
 namespace pelage {
 
+/// True if a fragment is opaque in the sample of this number.
+[[nodiscard]] constexpr bool takes_sample(std::uint32_t id, float alpha, std::uint32_t stream,
+                                          std::uint32_t number) noexcept {
+  const std::uint32_t drawn = mixed_bits(mixed_bits(id ^ stream) + number * 0x9e3779b9u);
+  return static_cast<float>(drawn >> 8u) * (1.0f / 16777216.0f) < alpha;
+}
+
 /// Stochastic transparency [Enderton et al. 2010]: each of a pixel's samples takes a fragment as opaque with the
 /// probability alpha and keeps the nearest depth that it took, like an ordinary depth buffer. The share of samples in
 /// which nothing lies before a depth is an estimate, right on average, of the transmittance up to it.
@@ -27,74 +34,46 @@ struct stochastic_depths {
   std::array<std::uint32_t, Samples> nearest;  ///< key of the nearest depth in each sample; all ones: none
 
   /// A pixel with nothing in it.
-  [[nodiscard]] static constexpr stochastic_depths<Samples> empty() noexcept;
+  [[nodiscard]] static constexpr stochastic_depths<Samples> empty() noexcept {
+    stochastic_depths<Samples> none;
+    for (std::uint32_t i = 0u; i < Samples; ++i) {
+      none.nearest[i] = 0xffffffffu;
+    }
+    return none;
+  }
 
   /// Adds a fragment; what is_fragment() refuses changes nothing. `alpha`: [0, 1]; 0 takes no sample, 1 takes all.
   /// `stream`: stochastic_stream() of the pixel. Not concurrent. O(Samples).
-  constexpr void add(fragment f, float alpha, std::uint32_t stream) noexcept;
+  constexpr void add(fragment f, float alpha, std::uint32_t stream) noexcept {
+    if (!is_fragment(f)) {
+      return;
+    }
+    const std::uint32_t key = depth_key(f.depth);
+    for (std::uint32_t i = 0u; i < Samples; ++i) {
+      const bool taken = takes_sample(f.id, alpha, stream, i);
+      nearest[i] = taken && key < nearest[i] ? key : nearest[i];
+    }
+  }
 
   /// The share of samples that hold nothing before a depth, [0, 1]; never rises with depth. A NaN depth lies
   /// before or behind all.
-  [[nodiscard]] constexpr float transmittance_before(float depth) const noexcept;
+  [[nodiscard]] constexpr float transmittance_before(float depth) const noexcept {
+    const std::uint32_t key = depth_key(depth);
+    std::uint32_t open = 0u;
+    for (std::uint32_t i = 0u; i < Samples; ++i) {
+      open += nearest[i] >= key ? 1u : 0u;
+    }
+    return static_cast<float>(open) / static_cast<float>(Samples);
+  }
 };
 
 /// The numbers that one pixel draws under a seed: two pixels, or two seeds, draw others.
-[[nodiscard]] constexpr std::uint32_t stochastic_stream(std::uint32_t seed, std::uint32_t pixel) noexcept;
-
-/// Adds a fragment to a pixel that many threads fill at once: cells [pixel · Samples, (pixel + 1) · Samples) of the
-/// storage, all ones at first. Lock-free; memory orders: cell_storage.
-template <std::uint32_t Samples, cell_storage Storage>
-void add_to_stochastic_depths(Storage& storage, std::uint32_t pixel, fragment f, float alpha,
-                              std::uint32_t seed) noexcept;
-
-/// A pixel of such a storage. Not concurrent with add_to_stochastic_depths.
-template <std::uint32_t Samples, cell_storage Storage>
-[[nodiscard]] stochastic_depths<Samples> load_stochastic_depths(const Storage& storage, std::uint32_t pixel) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-/// True if a fragment is opaque in the sample of this number.
-[[nodiscard]] constexpr bool takes_sample(std::uint32_t id, float alpha, std::uint32_t stream,
-                                          std::uint32_t number) noexcept {
-  const std::uint32_t drawn = mixed_bits(mixed_bits(id ^ stream) + number * 0x9e3779b9u);
-  return static_cast<float>(drawn >> 8u) * (1.0f / 16777216.0f) < alpha;
-}
-
-constexpr std::uint32_t stochastic_stream(std::uint32_t seed, std::uint32_t pixel) noexcept {
+[[nodiscard]] constexpr std::uint32_t stochastic_stream(std::uint32_t seed, std::uint32_t pixel) noexcept {
   return mixed_bits(mixed_bits(seed) + pixel);
 }
 
-template <std::uint32_t Samples>
-constexpr stochastic_depths<Samples> stochastic_depths<Samples>::empty() noexcept {
-  stochastic_depths<Samples> none;
-  for (std::uint32_t i = 0u; i < Samples; ++i) {
-    none.nearest[i] = 0xffffffffu;
-  }
-  return none;
-}
-
-template <std::uint32_t Samples>
-constexpr void stochastic_depths<Samples>::add(fragment f, float alpha, std::uint32_t stream) noexcept {
-  if (!is_fragment(f)) {
-    return;
-  }
-  const std::uint32_t key = depth_key(f.depth);
-  for (std::uint32_t i = 0u; i < Samples; ++i) {
-    const bool taken = takes_sample(f.id, alpha, stream, i);
-    nearest[i] = taken && key < nearest[i] ? key : nearest[i];
-  }
-}
-
-template <std::uint32_t Samples>
-constexpr float stochastic_depths<Samples>::transmittance_before(float depth) const noexcept {
-  const std::uint32_t key = depth_key(depth);
-  std::uint32_t open = 0u;
-  for (std::uint32_t i = 0u; i < Samples; ++i) {
-    open += nearest[i] >= key ? 1u : 0u;
-  }
-  return static_cast<float>(open) / static_cast<float>(Samples);
-}
-
+/// Adds a fragment to a pixel that many threads fill at once: cells [pixel · Samples, (pixel + 1) · Samples) of the
+/// storage, all ones at first. Lock-free; memory orders: cell_storage.
 template <std::uint32_t Samples, cell_storage Storage>
 void add_to_stochastic_depths(Storage& storage, std::uint32_t pixel, fragment f, float alpha,
                               std::uint32_t seed) noexcept {
@@ -110,8 +89,9 @@ void add_to_stochastic_depths(Storage& storage, std::uint32_t pixel, fragment f,
   }
 }
 
+/// A pixel of such a storage. Not concurrent with add_to_stochastic_depths.
 template <std::uint32_t Samples, cell_storage Storage>
-stochastic_depths<Samples> load_stochastic_depths(const Storage& storage, std::uint32_t pixel) noexcept {
+[[nodiscard]] stochastic_depths<Samples> load_stochastic_depths(const Storage& storage, std::uint32_t pixel) noexcept {
   stochastic_depths<Samples> depths = stochastic_depths<Samples>::empty();
   for (std::uint32_t i = 0u; i < Samples; ++i) {
     depths.nearest[i] = storage.load(pixel * Samples + i, std::memory_order_relaxed);

@@ -20,49 +20,35 @@ struct weighted_average {
   std::uint32_t count;  ///< fragments, stops at 2³² - 1
 
   /// A pixel with nothing in it.
-  [[nodiscard]] static constexpr weighted_average empty() noexcept;
+  [[nodiscard]] static constexpr weighted_average empty() noexcept { return weighted_average{empty_tail(), 0u}; }
 
   /// Adds a fragment. Parameters as add_fragment() of a tail.
-  constexpr void add(float alpha, const glm::vec3& colour) noexcept;
+  constexpr void add(float alpha, const glm::vec3& colour) noexcept {
+    sums = add_fragment(sums, alpha, colour);
+    count = add_saturating(count, 1u);
+  }
 
   /// Adds another pixel's part. Associative and commutative, empty() is the identity.
-  constexpr void merge(const weighted_average& other) noexcept;
+  constexpr void merge(const weighted_average& other) noexcept {
+    sums = pelage::merge(sums, other.sums);
+    count = add_saturating(count, other.count);
+  }
 
   /// What passes all fragments, [0, 1]: (1 - Σ α / n)ⁿ; 1 when there are none.
-  [[nodiscard]] constexpr float transmittance() const noexcept;
+  [[nodiscard]] constexpr float transmittance() const noexcept {
+    if (count == 0u) {
+      return 1.0f;
+    }
+    const float number = static_cast<float>(count);
+    const float mean = saturate(static_cast<float>(sums.weight) * (1.0f / 1048576.0f) / number);
+    return fast_exp2(number * fast_log2(1.0f - mean));
+  }
 
   /// What is seen of the pixel in front of a background.
-  [[nodiscard]] constexpr glm::vec3 resolve(const glm::vec3& background) const noexcept;
-};
-
-// ---------------------------------------------------------------------------------------------------------
-
-constexpr weighted_average weighted_average::empty() noexcept {
-  return weighted_average{empty_tail(), 0u};
-}
-
-constexpr void weighted_average::add(float alpha, const glm::vec3& colour) noexcept {
-  sums = add_fragment(sums, alpha, colour);
-  count = add_saturating(count, 1u);
-}
-
-constexpr void weighted_average::merge(const weighted_average& other) noexcept {
-  sums = pelage::merge(sums, other.sums);
-  count = add_saturating(count, other.count);
-}
-
-constexpr float weighted_average::transmittance() const noexcept {
-  if (count == 0u) {
-    return 1.0f;
+  [[nodiscard]] constexpr glm::vec3 resolve(const glm::vec3& background) const noexcept {
+    const float passed = transmittance();
+    return mean_colour(sums) * (1.0f - passed) + background * passed;
   }
-  const float number = static_cast<float>(count);
-  const float mean = saturate(static_cast<float>(sums.weight) * (1.0f / 1048576.0f) / number);
-  return fast_exp2(number * fast_log2(1.0f - mean));
-}
-
-constexpr glm::vec3 weighted_average::resolve(const glm::vec3& background) const noexcept {
-  const float passed = transmittance();
-  return mean_colour(sums) * (1.0f - passed) + background * passed;
-}
+};
 
 }  // namespace pelage

@@ -13,11 +13,7 @@ namespace pelage {
 /// over 3·10³, so that fixed-point sums hold it; the mean does not see the scale. `relative` z: the depth in
 /// [0, 1], 0 nearest, best depth_range::relative of the pixel, whose nearest fragment then weighs α; over a range of
 /// the whole scene, far pixels lose precision, 2⁻²¹ a fragment. NaN counts as 0.
-[[nodiscard]] constexpr float depth_weight(float alpha, float relative) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-constexpr float depth_weight(float alpha, float relative) noexcept {
+[[nodiscard]] constexpr float depth_weight(float alpha, float relative) noexcept {
   const float left = 1.0f - saturate(relative);
   const float weight = left * left * left;
   const float least = 3.33333333e-6f;

@@ -51,35 +51,36 @@ Value fetch_maximum(Cell&& cell, Value value, std::memory_order order) noexcept 
   return held;
 }
 
-/// cell_storage over the caller's memory, atomic through std::atomic_ref. Lock-free where a 32-bit atomic_ref is.
-/// What a cell holds before the first change is up to the structure that it belongs to.
-struct atomic_cell_storage {
-  std::span<std::uint32_t> cells;  ///< at most 2^32 - 1
+/// Cells of 32 or 64 bits over the caller's memory, atomic through std::atomic_ref. Lock-free where that is. What a
+/// cell holds before the first change is up to the structure that it belongs to.
+template <class Word>
+struct atomic_cells {
+  std::span<Word> words;  ///< at most 2^32 - 1
 
-  [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(cells.size()); }
-  [[nodiscard]] std::uint32_t load(std::uint32_t cell, std::memory_order order) const noexcept {
-    return std::atomic_ref(cells[cell]).load(order);
+  [[nodiscard]] std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(words.size()); }
+  [[nodiscard]] Word load(std::uint32_t cell, std::memory_order order) const noexcept {
+    return std::atomic_ref(words[cell]).load(order);
   }
-  std::uint32_t fetch_min(std::uint32_t cell, std::uint32_t value, std::memory_order order) noexcept {
-    return fetch_minimum(std::atomic_ref(cells[cell]), value, order);
+  Word fetch_min(std::uint32_t cell, Word value, std::memory_order order) noexcept {
+    return fetch_minimum(std::atomic_ref(words[cell]), value, order);
   }
-  std::uint32_t fetch_max(std::uint32_t cell, std::uint32_t value, std::memory_order order) noexcept {
-    return fetch_maximum(std::atomic_ref(cells[cell]), value, order);
+  Word fetch_max(std::uint32_t cell, Word value, std::memory_order order) noexcept {
+    return fetch_maximum(std::atomic_ref(words[cell]), value, order);
   }
-  std::uint32_t fetch_or(std::uint32_t cell, std::uint32_t bits, std::memory_order order) noexcept {
-    return std::atomic_ref(cells[cell]).fetch_or(bits, order);
+  Word fetch_or(std::uint32_t cell, Word bits, std::memory_order order) noexcept {
+    return std::atomic_ref(words[cell]).fetch_or(bits, order);
   }
-  std::uint32_t fetch_add(std::uint32_t cell, std::uint32_t amount, std::memory_order order) noexcept {
-    return std::atomic_ref(cells[cell]).fetch_add(amount, order);
+  Word fetch_add(std::uint32_t cell, Word amount, std::memory_order order) noexcept {
+    return std::atomic_ref(words[cell]).fetch_add(amount, order);
   }
-  [[nodiscard]] std::uint32_t compare_exchange(std::uint32_t cell, std::uint32_t expected, std::uint32_t desired,
-                                               std::memory_order order) noexcept {
-    std::atomic_ref(cells[cell]).compare_exchange_strong(expected, desired, order, std::memory_order_relaxed);
+  [[nodiscard]] Word compare_exchange(std::uint32_t cell, Word expected, Word desired,
+                                      std::memory_order order) noexcept {
+    std::atomic_ref(words[cell]).compare_exchange_strong(expected, desired, order, std::memory_order_relaxed);
     return expected;
   }
 };
 
-static_assert(cell_storage<atomic_cell_storage>);
+static_assert(cell_storage<atomic_cells<std::uint32_t>> && falling_cells<atomic_cells<std::uint64_t>, std::uint64_t>);
 
 // The changes below commute, so that a cell ends with the same bits for every interleaving. All are lock-free, and
 // wait-free except for add_to_cell() where the hardware has the change. All accesses are relaxed: a cell is a number
@@ -88,43 +89,13 @@ static_assert(cell_storage<atomic_cell_storage>);
 
 /// Sets bits. Costs no write where they are set already.
 template <cell_storage Storage>
-void set_bits(Storage& storage, std::uint32_t cell, std::uint32_t bits) noexcept;
-
-/// Lowers a cell to a value, if that is less. Costs no write where it is not.
-template <cell_storage Storage>
-void lower_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexcept;
-
-/// Raises a cell to a value, if that is more. Costs no write where it is not.
-template <cell_storage Storage>
-void raise_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexcept;
-
-/// Adds to a cell and stops at 2³² - 1, which is still the same in any order; a plain fetch_add would wrap round.
-template <cell_storage Storage>
-void add_to_cell(Storage& storage, std::uint32_t cell, std::uint32_t amount) noexcept;
-
-/// Adds to a cell modulo 2³² and sets `bit` in the cell `ends` if that passes the end of the range: what
-/// add_to_cell() does, for hardware that adds, at the price of a bit a sum. A sum modulo 2³² passes its end once for
-/// every 2³² of the true sum, in whichever order the parts come; so whether one of the additions (1) saw it pass and
-/// set the bit (2) says whether the sum saturates.
-template <cell_storage Storage>
-void add_and_mark(Storage& storage, std::uint32_t cell, std::uint32_t amount, std::uint32_t ends,
-                  std::uint32_t bit) noexcept;
-
-/// What add_and_mark() left in a cell, saturated. Not concurrent with it: (3) is read behind the barrier.
-template <cell_storage Storage>
-[[nodiscard]] std::uint32_t load_marked(const Storage& storage, std::uint32_t cell, std::uint32_t ends,
-                                        std::uint32_t bit) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <cell_storage Storage>
 void set_bits(Storage& storage, std::uint32_t cell, std::uint32_t bits) noexcept {
-  const std::uint32_t found = storage.load(cell, std::memory_order_relaxed);
-  if ((found & bits) != bits) {
+  if ((storage.load(cell, std::memory_order_relaxed) & bits) != bits) {
     storage.fetch_or(cell, bits, std::memory_order_relaxed);
   }
 }
 
+/// Lowers a cell to a value, if that is less. Costs no write where it is not.
 template <cell_storage Storage>
 void lower_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexcept {
   if (value < storage.load(cell, std::memory_order_relaxed)) {
@@ -132,6 +103,7 @@ void lower_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexc
   }
 }
 
+/// Raises a cell to a value, if that is more. Costs no write where it is not.
 template <cell_storage Storage>
 void raise_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexcept {
   if (value > storage.load(cell, std::memory_order_relaxed)) {
@@ -139,6 +111,7 @@ void raise_cell(Storage& storage, std::uint32_t cell, std::uint32_t value) noexc
   }
 }
 
+/// Adds to a cell and stops at 2³² - 1, which is still the same in any order; a plain fetch_add would wrap round.
 template <cell_storage Storage>
 void add_to_cell(Storage& storage, std::uint32_t cell, std::uint32_t amount) noexcept {
   std::uint32_t found = storage.load(cell, std::memory_order_relaxed);
@@ -151,6 +124,10 @@ void add_to_cell(Storage& storage, std::uint32_t cell, std::uint32_t amount) noe
   }
 }
 
+/// Adds to a cell modulo 2³² and sets `bit` in the cell `ends` if that passes the end of the range: what
+/// add_to_cell() does, for hardware that adds, at the price of a bit a sum. A sum modulo 2³² passes its end once for
+/// every 2³² of the true sum, in whichever order the parts come; so whether one of the additions (1) saw it pass and
+/// set the bit (2) says whether the sum saturates.
 template <cell_storage Storage>
 void add_and_mark(Storage& storage, std::uint32_t cell, std::uint32_t amount, std::uint32_t ends,
                   std::uint32_t bit) noexcept {
@@ -162,11 +139,12 @@ void add_and_mark(Storage& storage, std::uint32_t cell, std::uint32_t amount, st
   }
 }
 
+/// What add_and_mark() left in a cell, saturated. Not concurrent with it: (3) is read behind the barrier.
 template <cell_storage Storage>
-std::uint32_t load_marked(const Storage& storage, std::uint32_t cell, std::uint32_t ends, std::uint32_t bit) noexcept {
-  const std::uint32_t passed = storage.load(ends, std::memory_order_relaxed) & bit;  // (3)
-  const std::uint32_t held = storage.load(cell, std::memory_order_relaxed);          // (3)
-  return passed != 0u ? 0xffffffffu : held;
+[[nodiscard]] std::uint32_t load_marked(const Storage& storage, std::uint32_t cell, std::uint32_t ends,
+                                        std::uint32_t bit) noexcept {
+  const bool passed = (storage.load(ends, std::memory_order_relaxed) & bit) != 0u;  // (3)
+  return passed ? 0xffffffffu : storage.load(cell, std::memory_order_relaxed);      // (3)
 }
 
 }  // namespace pelage

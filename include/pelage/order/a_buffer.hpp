@@ -22,20 +22,7 @@ namespace pelage::a_buffer {
 /// (1) The exchange is relaxed: no thread reads a list while others push, and atomic exchanges on one head still
 /// give each pusher its own predecessor. (2) Relaxed as well; only the barrier after the phase publishes it.
 template <list_storage Storage>
-[[nodiscard]] fragment push(Storage& storage, std::uint32_t list, fragment offered) noexcept;
-
-/// The first node of a list, or no_node(). Not concurrent with push.
-template <list_storage Storage>
-[[nodiscard]] std::uint32_t first(const Storage& storage, std::uint32_t list) noexcept;
-
-/// The node after a node, or no_node(). Not concurrent with push.
-template <list_storage Storage>
-[[nodiscard]] std::uint32_t next(const Storage& storage, std::uint32_t node) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <list_storage Storage>
-fragment push(Storage& storage, std::uint32_t list, fragment offered) noexcept {
+[[nodiscard]] fragment push(Storage& storage, std::uint32_t list, fragment offered) noexcept {
   PELAGE_ASSERT(list < storage.list_count());
   const std::uint32_t node = is_fragment(offered) ? take_node(storage) : no_node();
   if (node == no_node()) {
@@ -48,13 +35,15 @@ fragment push(Storage& storage, std::uint32_t list, fragment offered) noexcept {
   return no_fragment();
 }
 
+/// The first node of a list, or no_node(). Not concurrent with push.
 template <list_storage Storage>
-std::uint32_t first(const Storage& storage, std::uint32_t list) noexcept {
+[[nodiscard]] std::uint32_t first(const Storage& storage, std::uint32_t list) noexcept {
   return storage.load_link(list, std::memory_order_relaxed);
 }
 
+/// The node after a node, or no_node(). Not concurrent with push.
 template <list_storage Storage>
-std::uint32_t next(const Storage& storage, std::uint32_t node) noexcept {
+[[nodiscard]] std::uint32_t next(const Storage& storage, std::uint32_t node) noexcept {
   return storage.load_link(link_of(storage, node), std::memory_order_relaxed);
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/assert.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/fragment.hpp>
-#include <pelage/order/slot_storage.hpp>
+#include <pelage/order/packed_fragment.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -14,8 +15,8 @@
 ///
 /// Keeps the K first of the total order; drops nothing silently, since insert() hands back what falls out, for the
 /// caller's tail (composite/atomic_tail.hpp). Once all inserts are done, the slots and the set of what fell out
-/// depend on the set of fragments alone. Build and read are two phases, as with a_buffer. 8 K bytes a pixel; no
-/// pool, so nothing can fill up. K in [1, 64].
+/// depend on the set of fragments alone. Build and read are two phases, as with a_buffer. 8 K bytes a pixel: cells
+/// [pixel · K, (pixel + 1) · K), all pack(no_fragment()) at first; no pool, so nothing can fill up. K in [1, 64].
 ///
 /// Proof. (a) Nothing is lost or doubled: each minimum leaves one of two values in the slot and carries the other on,
 /// and it is atomic. (b) A value that has passed a slot is larger than what the slot holds from then on: the minimum
@@ -39,17 +40,7 @@ namespace pelage::atomic_k_buffer {
 /// (1) and (2) are relaxed: a stale value is one that the slot held before, hence no smaller, and only leads to a
 /// step that could have been spared. (3) is relaxed: the slot holds all there is to know, and publishes nothing else.
 template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
-[[nodiscard]] fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept;
-
-/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with insert:
-/// (4) is relaxed, the barrier between the phases orders it after every (3).
-template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
-[[nodiscard]] fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
-fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
+[[nodiscard]] fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
   static_assert(K >= 1u && K <= 64u, "pelage::atomic_k_buffer: K must be in [1, 64]");
   PELAGE_ASSERT(pixel < storage.size() / K);
   if (!is_fragment(offered)) {
@@ -77,8 +68,10 @@ fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcep
   return unpack(carried);
 }
 
+/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with insert:
+/// (4) is relaxed, the barrier between the phases orders it after every (3).
 template <std::uint32_t K, falling_cells<std::uint64_t> Storage>
-fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept {
+[[nodiscard]] fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept {
   PELAGE_ASSERT(pixel < storage.size() / K && i < K);
   return unpack(storage.load(pixel * K + i, std::memory_order_relaxed));  // (4)
 }

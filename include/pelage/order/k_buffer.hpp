@@ -25,91 +25,71 @@ struct k_buffer {
   std::uint32_t farthest_slot;   ///< where it lies, [0, K)
 
   /// A buffer that holds nothing.
-  [[nodiscard]] static constexpr k_buffer empty() noexcept;
+  [[nodiscard]] static constexpr k_buffer empty() noexcept {
+    k_buffer<K> none;
+    for (std::uint32_t i = 0u; i < K; ++i) {
+      none.slot[i] = no_fragment();
+    }
+    none.farthest = no_fragment();
+    none.farthest_slot = 0u;
+    return none;
+  }
 
   /// Offers a fragment and returns what fell out: the fragment that it pushed out, itself where K nearer ones are
   /// held, or no_fragment(). What is_fragment() refuses comes back as it is. O(1) when the fragment is too far,
   /// O(K) when it stays.
-  [[nodiscard]] constexpr fragment insert(fragment offered) noexcept;
+  [[nodiscard]] constexpr fragment insert(fragment offered) noexcept {
+    if (!is_fragment(offered) || !before(offered, farthest)) {
+      return offered;
+    }
+    const fragment lost = farthest;
+    for (std::uint32_t i = 0u; i < K; ++i) {
+      if (i == farthest_slot) {
+        slot[i] = offered;
+      }
+    }
+    find_farthest();
+    return lost;
+  }
 
   /// Takes the K nearest of both; what fell out is left in `other`, which is a valid buffer again. `other` must not
   /// be this buffer. Associative and commutative in what is kept, with empty() as identity, so partial results of
   /// several workers combine in any order. O(K²).
-  constexpr void merge(k_buffer& other) noexcept;
+  constexpr void merge(k_buffer& other) noexcept {
+    PELAGE_ASSERT(this != &other);
+    for (std::uint32_t i = 0u; i < K; ++i) {
+      const fragment lost = insert(other.slot[i]);
+      other.slot[i] = lost;
+    }
+    other.find_farthest();
+  }
 
   /// Puts the slots in the total order, nearest first, empty ones last. O(K log² K).
-  constexpr void sort() noexcept;
+  constexpr void sort() noexcept {
+    sort_network<K>(slot);
+    farthest = slot[K - 1u];
+    farthest_slot = K - 1u;
+  }
 
   /// Fragments held, [0, K]. O(K).
-  [[nodiscard]] constexpr std::uint32_t size() const noexcept;
+  [[nodiscard]] constexpr std::uint32_t size() const noexcept {
+    std::uint32_t held = 0u;
+    for (std::uint32_t i = 0u; i < K; ++i) {
+      held += is_fragment(slot[i]) ? 1u : 0u;
+    }
+    return held;
+  }
 
   /// Finds the farthest slot anew, for whoever wrote to the slots. O(K).
-  constexpr void find_farthest() noexcept;
-};
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <std::uint32_t K>
-constexpr k_buffer<K> k_buffer<K>::empty() noexcept {
-  k_buffer<K> none;
-  for (std::uint32_t i = 0u; i < K; ++i) {
-    none.slot[i] = no_fragment();
-  }
-  none.farthest = no_fragment();
-  none.farthest_slot = 0u;
-  return none;
-}
-
-template <std::uint32_t K>
-constexpr fragment k_buffer<K>::insert(fragment offered) noexcept {
-  if (!is_fragment(offered) || !before(offered, farthest)) {
-    return offered;
-  }
-  const fragment lost = farthest;
-  for (std::uint32_t i = 0u; i < K; ++i) {
-    if (i == farthest_slot) {
-      slot[i] = offered;
+  constexpr void find_farthest() noexcept {
+    farthest = slot[0];
+    farthest_slot = 0u;
+    for (std::uint32_t i = 1u; i < K; ++i) {
+      const bool farther = before(farthest, slot[i]);
+      farthest = farther ? slot[i] : farthest;
+      farthest_slot = farther ? i : farthest_slot;
     }
   }
-  find_farthest();
-  return lost;
-}
-
-template <std::uint32_t K>
-constexpr void k_buffer<K>::merge(k_buffer& other) noexcept {
-  PELAGE_ASSERT(this != &other);
-  for (std::uint32_t i = 0u; i < K; ++i) {
-    const fragment lost = insert(other.slot[i]);
-    other.slot[i] = lost;
-  }
-  other.find_farthest();
-}
-
-template <std::uint32_t K>
-constexpr void k_buffer<K>::sort() noexcept {
-  sort_network<K>(slot);
-  farthest = slot[K - 1u];
-  farthest_slot = K - 1u;
-}
-
-template <std::uint32_t K>
-constexpr std::uint32_t k_buffer<K>::size() const noexcept {
-  std::uint32_t held = 0u;
-  for (std::uint32_t i = 0u; i < K; ++i) {
-    held += is_fragment(slot[i]) ? 1u : 0u;
-  }
-  return held;
-}
-
-template <std::uint32_t K>
-constexpr void k_buffer<K>::find_farthest() noexcept {
-  farthest = slot[0];
-  farthest_slot = 0u;
-  for (std::uint32_t i = 1u; i < K; ++i) {
-    const bool farther = before(farthest, slot[i]);
-    farthest = farther ? slot[i] : farthest;
-    farthest_slot = farther ? i : farthest_slot;
-  }
-}
+};
 
 }  // namespace pelage

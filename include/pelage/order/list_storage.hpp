@@ -21,6 +21,8 @@ namespace pelage {
 /// its memory order, so that the same algorithm runs on std::atomic_ref, on a shader's buffers and on cells that a
 /// concurrency test watches.
 ///
+/// Not cell_storage: a list's cells lie in four places, and in a shader a storage is its names.
+///
 /// Links [0, list_count()) are the lists' heads; the link that leaves node n is link list_count() + n, a sum that
 /// must not wrap. Every link is a node's number or no_node(). A compare-exchange returns the value it found; it took
 /// place exactly when that is `expected`, and must not fail spuriously.

@@ -38,20 +38,7 @@ namespace pelage::ordered_list {
 /// on from the same place, the head or a node that is still before the fragment since none is ever removed, and (1)
 /// loads anew.
 template <list_storage Storage>
-[[nodiscard]] fragment insert(Storage& storage, std::uint32_t list, fragment offered, std::uint32_t limit) noexcept;
-
-/// The first node of a list, or no_node(). (4) Acquire, pairs with (3). Wait-free.
-template <list_storage Storage>
-[[nodiscard]] std::uint32_t first(const Storage& storage, std::uint32_t list) noexcept;
-
-/// The node after a node, or no_node(). (4) Acquire, pairs with (3). Wait-free.
-template <list_storage Storage>
-[[nodiscard]] std::uint32_t next(const Storage& storage, std::uint32_t node) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <list_storage Storage>
-fragment insert(Storage& storage, std::uint32_t list, fragment offered, std::uint32_t limit) noexcept {
+[[nodiscard]] fragment insert(Storage& storage, std::uint32_t list, fragment offered, std::uint32_t limit) noexcept {
   PELAGE_ASSERT(list < storage.list_count() && limit >= 1u);
   if (!is_fragment(offered)) {
     storage.add_refused(std::memory_order_relaxed);
@@ -87,13 +74,15 @@ fragment insert(Storage& storage, std::uint32_t list, fragment offered, std::uin
   }
 }
 
+/// The first node of a list, or no_node(). (4) Acquire, pairs with (3). Wait-free.
 template <list_storage Storage>
-std::uint32_t first(const Storage& storage, std::uint32_t list) noexcept {
+[[nodiscard]] std::uint32_t first(const Storage& storage, std::uint32_t list) noexcept {
   return storage.load_link(list, std::memory_order_acquire);  // (4)
 }
 
+/// The node after a node, or no_node(). (4) Acquire, pairs with (3). Wait-free.
 template <list_storage Storage>
-std::uint32_t next(const Storage& storage, std::uint32_t node) noexcept {
+[[nodiscard]] std::uint32_t next(const Storage& storage, std::uint32_t node) noexcept {
   return storage.load_link(link_of(storage, node), std::memory_order_acquire);  // (4)
 }
 

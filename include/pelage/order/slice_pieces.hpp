@@ -10,9 +10,19 @@
 /// planes, so that none crosses one. [Sintorn & Assarsson 2008]
 namespace pelage::slice_sort {
 
+/// The slice that a position lies in, and for NaN the first.
+[[nodiscard]] constexpr std::uint32_t slice_at(float position, std::uint32_t slices) noexcept {
+  const float last = static_cast<float>(slices - 1u);
+  return static_cast<std::uint32_t>(position > 0.0f ? (position < last ? position : last) : 0.0f);
+}
+
 /// The slice of a segment, [0, slices): that of its farther end. `first`, `second`: slice_position() of its ends,
 /// [0, slices]; the end of the last slice belongs to it. NaN counts as 0.
-[[nodiscard]] constexpr std::uint32_t slice_of(float first, float second, std::uint32_t slices) noexcept;
+[[nodiscard]] constexpr std::uint32_t slice_of(float first, float second, std::uint32_t slices) noexcept {
+  const std::uint32_t a = slice_at(first, slices);
+  const std::uint32_t b = slice_at(second, slices);
+  return a > b ? a : b;
+}
 
 /// What a plane-cut leaves of a segment in one slice.
 struct piece {
@@ -22,27 +32,7 @@ struct piece {
 };
 
 /// The number of slices that a segment passes, [1, slices]. Parameters as slice_of().
-[[nodiscard]] constexpr std::uint32_t piece_count(float first, float second, std::uint32_t slices) noexcept;
-
-/// A segment's piece, `number` in [0, piece_count()), counted from its first end. Where one ends the next begins, at
-/// the same bits; the first begins at 0 and the last ends at 1.
-[[nodiscard]] constexpr piece piece_at(float first, float second, std::uint32_t slices, std::uint32_t number) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-/// The slice that a position lies in, and for NaN the first.
-[[nodiscard]] constexpr std::uint32_t slice_at(float position, std::uint32_t slices) noexcept {
-  const float last = static_cast<float>(slices - 1u);
-  return static_cast<std::uint32_t>(position > 0.0f ? (position < last ? position : last) : 0.0f);
-}
-
-constexpr std::uint32_t slice_of(float first, float second, std::uint32_t slices) noexcept {
-  const std::uint32_t a = slice_at(first, slices);
-  const std::uint32_t b = slice_at(second, slices);
-  return a > b ? a : b;
-}
-
-constexpr std::uint32_t piece_count(float first, float second, std::uint32_t slices) noexcept {
+[[nodiscard]] constexpr std::uint32_t piece_count(float first, float second, std::uint32_t slices) noexcept {
   const std::uint32_t a = slice_at(first, slices);
   const std::uint32_t b = slice_at(second, slices);
   return (a > b ? a - b : b - a) + 1u;
@@ -54,7 +44,9 @@ constexpr std::uint32_t piece_count(float first, float second, std::uint32_t sli
   return saturate((plane - first) / (second - first));
 }
 
-constexpr piece piece_at(float first, float second, std::uint32_t slices, std::uint32_t number) noexcept {
+/// A segment's piece, `number` in [0, piece_count()), counted from its first end. Where one ends the next begins, at
+/// the same bits; the first begins at 0 and the last ends at 1.
+[[nodiscard]] constexpr piece piece_at(float first, float second, std::uint32_t slices, std::uint32_t number) noexcept {
   const std::uint32_t from = slice_at(first, slices);
   const std::uint32_t to = slice_at(second, slices);
   PELAGE_ASSERT(number < piece_count(first, second, slices));

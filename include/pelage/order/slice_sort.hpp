@@ -19,19 +19,6 @@ namespace pelage::slice_sort {
 
 /// Counts a chunk's segments by slice. `slice`: of each segment, < counts.size(). `counts`: one a slice, the chunk's
 /// own.
-inline void count(std::span<const std::uint32_t> slice, std::span<std::uint32_t> counts) noexcept;
-
-/// Turns the counts of all chunks, chunk by chunk, into where each chunk's part of each slice begins in the order.
-/// `slices`: [1, counts.size()], a divisor of it. O(counts.size()).
-inline void place(std::span<std::uint32_t> counts, std::uint32_t slices) noexcept;
-
-/// Writes a chunk's segments to their places, nearest slice first. `first`: number of the chunk's first segment.
-/// `places`: the chunk's own, moved on as they fill. Chunks write to different elements of `order`.
-inline void fill(std::span<const std::uint32_t> slice, std::uint32_t first, std::span<std::uint32_t> places,
-                 std::span<std::uint32_t> order) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
 inline void count(std::span<const std::uint32_t> slice, std::span<std::uint32_t> counts) noexcept {
   for (std::uint32_t& n : counts) {
     n = 0u;
@@ -42,6 +29,8 @@ inline void count(std::span<const std::uint32_t> slice, std::span<std::uint32_t>
   }
 }
 
+/// Turns the counts of all chunks, chunk by chunk, into where each chunk's part of each slice begins in the order.
+/// `slices`: [1, counts.size()], a divisor of it. O(counts.size()).
 inline void place(std::span<std::uint32_t> counts, std::uint32_t slices) noexcept {
   std::uint32_t total = 0u;
   for (std::uint32_t s = 0u; s < slices; ++s) {
@@ -53,6 +42,8 @@ inline void place(std::span<std::uint32_t> counts, std::uint32_t slices) noexcep
   }
 }
 
+/// Writes a chunk's segments to their places, nearest slice first. `first`: number of the chunk's first segment.
+/// `places`: the chunk's own, moved on as they fill. Chunks write to different elements of `order`.
 inline void fill(std::span<const std::uint32_t> slice, std::uint32_t first, std::span<std::uint32_t> places,
                  std::span<std::uint32_t> order) noexcept {
   std::uint32_t segment = first;

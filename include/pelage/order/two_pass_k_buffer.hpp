@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/assert.hpp>
+#include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/fragment.hpp>
-#include <pelage/order/split_slot_storage.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -13,7 +13,8 @@
 ///
 /// Keeps the same K fragments in the same order, ties by id included; hands back what falls out in the second pass.
 /// Each fragment is offered once in each pass. Between the passes, and between the second one and the first read, the
-/// caller joins its threads, or waits at a barrier that synchronises them. 8 K bytes a pixel. K in [1, 64].
+/// caller joins its threads, or waits at a barrier that synchronises them. 8 K bytes a pixel: cells
+/// [2 K · pixel, 2 K · (pixel + 1)), depth keys and then as many ids, all ones at first. K in [1, 64].
 ///
 /// The first pass is atomic_k_buffer's cascade on depth keys alone: it leaves the K smallest in order, equal ones with
 /// their multiplicity. Then the slots of one depth are a run, and the second pass is the same cascade of ids along
@@ -21,68 +22,57 @@
 /// than slots; its larger ids fall out.
 namespace pelage::two_pass_k_buffer {
 
-/// First pass: offers a fragment's depth. What is_fragment() refuses is left out. `pixel`: [0, slot_count() / K).
+/// First pass: offers a fragment's depth. What is_fragment() refuses is left out. `pixel`: [0, size() / (2 K)).
 /// Wait-free where the minimum of the hardware is, else lock-free. O(K).
 ///
 /// (1) and (2) relaxed, as (1) and (3) of atomic_k_buffer.
-template <std::uint32_t K, split_slot_storage Storage>
-void offer_depth(Storage& storage, std::uint32_t pixel, fragment offered) noexcept;
+template <std::uint32_t K, falling_cells<std::uint32_t> Storage>
+void offer_depth(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
+  static_assert(K >= 1u && K <= 64u, "pelage::two_pass_k_buffer: K must be in [1, 64]");
+  PELAGE_ASSERT(pixel < storage.size() / (2u * K));
+  const std::uint32_t first = pixel * 2u * K;
+  std::uint32_t carried = is_fragment(offered) ? depth_key(offered.depth) : 0xffffffffu;
+  if (storage.load(first + K - 1u, std::memory_order_relaxed) <= carried) {  // (1)
+    return;
+  }
+  for (std::uint32_t i = 0u; i < K && carried != 0xffffffffu; ++i) {
+    const std::uint32_t held = storage.fetch_min(first + i, carried, std::memory_order_relaxed);  // (2)
+    carried = std::max(held, carried);
+  }
+}
 
 /// Second pass: offers the fragment itself. Returns what fell out: one of equal depth with a larger id, itself, or
 /// no_fragment(). What is_fragment() refuses comes back as it is. Depths -0 come back as +0. `pixel` and progress as
 /// in the first pass. O(K).
 ///
 /// (3) relaxed: the barrier between the passes orders it after every (2). (4) relaxed: as (2), on ids.
-template <std::uint32_t K, split_slot_storage Storage>
-[[nodiscard]] fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept;
-
-/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with either
-/// pass: (5) is relaxed, the barrier orders it after every (4).
-template <std::uint32_t K, split_slot_storage Storage>
-[[nodiscard]] fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <std::uint32_t K, split_slot_storage Storage>
-void offer_depth(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
-  static_assert(K >= 1u && K <= 64u, "pelage::two_pass_k_buffer: K must be in [1, 64]");
-  PELAGE_ASSERT(pixel < storage.slot_count() / K);
-  const std::uint32_t first = pixel * K;
-  std::uint32_t carried = is_fragment(offered) ? depth_key(offered.depth) : 0xffffffffu;
-  if (storage.load_depth(first + K - 1u, std::memory_order_relaxed) <= carried) {  // (1)
-    return;
-  }
-  for (std::uint32_t i = 0u; i < K && carried != 0xffffffffu; ++i) {
-    const std::uint32_t held = storage.min_depth(first + i, carried, std::memory_order_relaxed);  // (2)
-    carried = std::max(held, carried);
-  }
-}
-
-template <std::uint32_t K, split_slot_storage Storage>
-fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
-  PELAGE_ASSERT(pixel < storage.slot_count() / K);
+template <std::uint32_t K, falling_cells<std::uint32_t> Storage>
+[[nodiscard]] fragment insert(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
+  PELAGE_ASSERT(pixel < storage.size() / (2u * K));
   if (!is_fragment(offered)) {
     return offered;
   }
-  const std::uint32_t first = pixel * K;
+  const std::uint32_t first = pixel * 2u * K;
   const std::uint32_t key = depth_key(offered.depth);
   std::uint32_t carried = offered.id;
   for (std::uint32_t i = 0u; i < K && carried != no_fragment().id; ++i) {
-    if (storage.load_depth(first + i, std::memory_order_relaxed) == key) {                       // (3)
-      const std::uint32_t held = storage.min_id(first + i, carried, std::memory_order_relaxed);  // (4)
+    if (storage.load(first + i, std::memory_order_relaxed) == key) {                                    // (3)
+      const std::uint32_t held = storage.fetch_min(first + K + i, carried, std::memory_order_relaxed);  // (4)
       carried = std::max(held, carried);
     }
   }
   return carried != no_fragment().id ? fragment{depth_from_key(key), carried} : no_fragment();
 }
 
-template <std::uint32_t K, split_slot_storage Storage>
-fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept {
-  PELAGE_ASSERT(pixel < storage.slot_count() / K && i < K);
-  const std::uint32_t slot = pixel * K + i;
-  const std::uint32_t id = storage.load_id(slot, std::memory_order_relaxed);  // (5)
+/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with either
+/// pass: (5) is relaxed, the barrier orders it after every (4).
+template <std::uint32_t K, falling_cells<std::uint32_t> Storage>
+[[nodiscard]] fragment at(const Storage& storage, std::uint32_t pixel, std::uint32_t i) noexcept {
+  PELAGE_ASSERT(pixel < storage.size() / (2u * K) && i < K);
+  const std::uint32_t slot = pixel * 2u * K + i;
+  const std::uint32_t id = storage.load(slot + K, std::memory_order_relaxed);  // (5)
   return id == no_fragment().id ? no_fragment()
-                                : fragment{depth_from_key(storage.load_depth(slot, std::memory_order_relaxed)), id};
+                                : fragment{depth_from_key(storage.load(slot, std::memory_order_relaxed)), id};
 }
 
 }  // namespace pelage::two_pass_k_buffer

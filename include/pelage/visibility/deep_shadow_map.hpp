@@ -30,6 +30,16 @@ struct span_vertex_storage {
 
 static_assert(deep_shadow_storage<span_vertex_storage>);
 
+/// A depth as the map knows it.
+[[nodiscard]] constexpr float held_depth(float depth) noexcept {
+  const float magnitude = depth < 0.0f ? -depth : depth;
+  if (!(magnitude >= 7.88860905e-31f)) {
+    return 0.0f;
+  }
+  const float held = magnitude < 1.26765060e30f ? magnitude : 1.26765060e30f;
+  return depth < 0.0f ? -held : held;
+}
+
 /// Turns the sorted fragments of a texel into its transmittance as a function of depth, in one pass: a line from
 /// vertex to vertex that is nowhere farther than a given error from the truth. [Lokovic & Veach 2000, §4.2]
 ///
@@ -54,133 +64,101 @@ struct deep_shadow_builder {
   float greatest_slope;     ///< and the greatest
 
   /// A builder for the vertices from `first` on. `max_error`: [0, 1]; below 1e-6, or NaN: the truth itself.
-  [[nodiscard]] static constexpr deep_shadow_builder begin(std::uint32_t first, float max_error) noexcept;
+  [[nodiscard]] static constexpr deep_shadow_builder begin(std::uint32_t first, float max_error) noexcept {
+    // Slopes, their product with a length and the look-up round to less than 1e-6 together.
+    const float tolerance = saturate(max_error - 1e-6f);
+    return deep_shadow_builder{first, 0u,   tolerance, 1.0f, 0.0f, deep_shadow_vertex{0.0f, 1.0f},
+                               0.0f,  1.0f, 1.0f,      0.0f, 0.0f};
+  }
 
   /// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: clamped to [0, 1].
   template <deep_shadow_storage Storage>
-  constexpr void add(Storage& storage, float depth, float alpha) noexcept;
+  constexpr void add(Storage& storage, float depth, float alpha) noexcept {
+    if (depth != depth) {
+      return;
+    }
+    const float held = held_depth(depth);
+    if (count == 0u) {
+      begin_line(storage, deep_shadow_vertex{held, 1.0f});
+    } else {
+      PELAGE_ASSERT(held >= pending);
+      if (held > pending) {
+        pass(storage, pending, transmittance);
+        pass(storage, held, transmittance);
+      }
+    }
+    pending = held;
+    transmittance = transmittance * (1.0f - saturate(alpha));
+  }
 
   /// Writes what is still open.
   template <deep_shadow_storage Storage>
-  constexpr void finish(Storage& storage) noexcept;
+  constexpr void finish(Storage& storage) noexcept {
+    if (count == 0u) {
+      return;
+    }
+    pass(storage, pending, transmittance);
+    if (last > from.depth) {
+      end_line(storage);
+    }
+  }
 
   /// For add() and finish(): the line must pass `depth` within the tolerance of `truth`.
   template <deep_shadow_storage Storage>
-  constexpr void pass(Storage& storage, float depth, float truth) noexcept;
+  constexpr void pass(Storage& storage, float depth, float truth) noexcept {
+    const float least = saturate(truth - tolerance);
+    const float most = saturate(truth + tolerance);
+    if (depth > from.depth) {
+      const float down = (least - from.transmittance) / (depth - from.depth);
+      const float up = (most - from.transmittance) / (depth - from.depth);
+      const bool falls = tolerance == 0.0f && truth < from.transmittance;  // however small
+      if (falls || up < least_slope || down > greatest_slope) {
+        end_line(storage);
+      }
+    }
+    if (depth > from.depth) {
+      const float down = (least - from.transmittance) / (depth - from.depth);
+      const float up = (most - from.transmittance) / (depth - from.depth);
+      least_slope = down > least_slope ? down : least_slope;
+      greatest_slope = up < greatest_slope ? up : greatest_slope;
+      low = depth > last ? least : low;  // at one depth the truth falls: the first is the higher
+      high = most;
+      last = depth;
+    } else if (from.transmittance > most) {
+      begin_line(storage, deep_shadow_vertex{depth, truth});
+    }
+  }
 
   /// For pass() and finish(): ends the line at `last` with its middle slope.
   template <deep_shadow_storage Storage>
-  constexpr void end_line(Storage& storage) noexcept;
+  constexpr void end_line(Storage& storage) noexcept {
+    const float slope = 0.5f * (least_slope + greatest_slope);
+    const float end = from.transmittance + slope * (last - from.depth);
+    const float raised = end > low ? end : low;
+    const float held = raised < high ? raised : high;
+    begin_line(storage, deep_shadow_vertex{last, held < from.transmittance ? held : from.transmittance});
+  }
 
   /// Writes a vertex and begins a line there.
   template <deep_shadow_storage Storage>
-  constexpr void begin_line(Storage& storage, deep_shadow_vertex at) noexcept;
+  constexpr void begin_line(Storage& storage, deep_shadow_vertex at) noexcept {
+    PELAGE_ASSERT(first + count < storage.vertex_capacity());
+    storage.write_vertex(first + count, at);
+    ++count;
+    from = at;
+    last = at.depth;
+    low = at.transmittance;
+    high = at.transmittance;
+    least_slope = -3.40282347e38f;
+    greatest_slope = 0.0f;
+  }
 };
 
 /// The transmittance that `count` vertices from `first` on give at a depth, [0, 1]; 1 without vertices. Never rises
 /// with depth. NaN counts as 0. O(log count).
 template <deep_shadow_storage Storage>
 [[nodiscard]] constexpr float deep_shadow_at(const Storage& storage, std::uint32_t first, std::uint32_t count,
-                                             float depth) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-/// A depth as the map knows it.
-[[nodiscard]] constexpr float held_depth(float depth) noexcept {
-  const float magnitude = depth < 0.0f ? -depth : depth;
-  if (!(magnitude >= 7.88860905e-31f)) {
-    return 0.0f;
-  }
-  const float held = magnitude < 1.26765060e30f ? magnitude : 1.26765060e30f;
-  return depth < 0.0f ? -held : held;
-}
-
-constexpr deep_shadow_builder deep_shadow_builder::begin(std::uint32_t first, float max_error) noexcept {
-  // Slopes, their product with a length and the look-up round to less than 1e-6 together.
-  const float tolerance = saturate(max_error - 1e-6f);
-  return deep_shadow_builder{first, 0u,   tolerance, 1.0f, 0.0f, deep_shadow_vertex{0.0f, 1.0f},
-                             0.0f,  1.0f, 1.0f,      0.0f, 0.0f};
-}
-
-template <deep_shadow_storage Storage>
-constexpr void deep_shadow_builder::add(Storage& storage, float depth, float alpha) noexcept {
-  if (depth != depth) {
-    return;
-  }
-  const float held = held_depth(depth);
-  if (count == 0u) {
-    begin_line(storage, deep_shadow_vertex{held, 1.0f});
-  } else {
-    PELAGE_ASSERT(held >= pending);
-    if (held > pending) {
-      pass(storage, pending, transmittance);
-      pass(storage, held, transmittance);
-    }
-  }
-  pending = held;
-  transmittance = transmittance * (1.0f - saturate(alpha));
-}
-
-template <deep_shadow_storage Storage>
-constexpr void deep_shadow_builder::finish(Storage& storage) noexcept {
-  if (count == 0u) {
-    return;
-  }
-  pass(storage, pending, transmittance);
-  if (last > from.depth) {
-    end_line(storage);
-  }
-}
-
-template <deep_shadow_storage Storage>
-constexpr void deep_shadow_builder::pass(Storage& storage, float depth, float truth) noexcept {
-  const float least = saturate(truth - tolerance);
-  const float most = saturate(truth + tolerance);
-  if (depth > from.depth) {
-    const float down = (least - from.transmittance) / (depth - from.depth);
-    const float up = (most - from.transmittance) / (depth - from.depth);
-    const bool falls = tolerance == 0.0f && truth < from.transmittance;  // however small
-    if (falls || up < least_slope || down > greatest_slope) {
-      end_line(storage);
-    }
-  }
-  if (depth > from.depth) {
-    const float down = (least - from.transmittance) / (depth - from.depth);
-    const float up = (most - from.transmittance) / (depth - from.depth);
-    least_slope = down > least_slope ? down : least_slope;
-    greatest_slope = up < greatest_slope ? up : greatest_slope;
-    low = depth > last ? least : low;  // at one depth the truth falls: the first is the higher
-    high = most;
-    last = depth;
-  } else if (from.transmittance > most) {
-    begin_line(storage, deep_shadow_vertex{depth, truth});
-  }
-}
-
-template <deep_shadow_storage Storage>
-constexpr void deep_shadow_builder::end_line(Storage& storage) noexcept {
-  const float slope = 0.5f * (least_slope + greatest_slope);
-  const float end = from.transmittance + slope * (last - from.depth);
-  const float raised = end > low ? end : low;
-  const float held = raised < high ? raised : high;
-  begin_line(storage, deep_shadow_vertex{last, held < from.transmittance ? held : from.transmittance});
-}
-
-template <deep_shadow_storage Storage>
-constexpr void deep_shadow_builder::begin_line(Storage& storage, deep_shadow_vertex at) noexcept {
-  PELAGE_ASSERT(first + count < storage.vertex_capacity());
-  storage.write_vertex(first + count, at);
-  ++count;
-  from = at;
-  last = at.depth;
-  low = at.transmittance;
-  high = at.transmittance;
-  least_slope = -3.40282347e38f;
-  greatest_slope = 0.0f;
-}
-
-template <deep_shadow_storage Storage>
-constexpr float deep_shadow_at(const Storage& storage, std::uint32_t first, std::uint32_t count, float depth) noexcept {
+                                             float depth) noexcept {
   const float at = held_depth(depth);
   std::uint32_t before = 0u;  // vertices known to lie before the depth
   std::uint32_t rest = count;

@@ -12,6 +12,11 @@
 
 namespace pelage {
 
+/// Where in its bin a position lies, [0, 512].
+[[nodiscard]] constexpr std::uint32_t step_in_bin(float position, std::uint32_t bin) noexcept {
+  return static_cast<std::uint32_t>(saturate(position - static_cast<float>(bin)) * 512.0f + 0.5f);
+}
+
 /// One texel's fragments as K clusters, each with its number, mean depth and variance. [Mertens et al. 2004, §3]
 ///
 /// A cluster here is one of K equal bins of the depth range, where the paper moves them by k-means. Between
@@ -29,71 +34,48 @@ struct density_clusters {
   std::array<std::uint32_t, K> squares;  ///< of those
 
   /// A texel without fragments.
-  [[nodiscard]] static constexpr density_clusters<K> empty() noexcept;
+  [[nodiscard]] static constexpr density_clusters<K> empty() noexcept {
+    density_clusters<K> none;
+    for (std::uint32_t i = 0u; i < K; ++i) {
+      none.count[i] = 0u;
+      none.sum[i] = 0u;
+      none.squares[i] = 0u;
+    }
+    return none;
+  }
 
   /// Puts a fragment in. `position`: slice_position(relative depth, K), [0, K]. Not concurrent. O(1).
-  constexpr void add(float position) noexcept;
+  constexpr void add(float position) noexcept {
+    const std::uint32_t bin = layer_at(position, K);
+    const std::uint32_t place = step_in_bin(position, bin);
+    count[bin] = add_saturating(count[bin], 1u);
+    sum[bin] = add_saturating(sum[bin], place);
+    squares[bin] = add_saturating(squares[bin], place * place);
+  }
 
   /// The estimate of how many fragments lie before a position, from 0 to their number. Never falls as the position
   /// grows; exact at the ends of bins. O(K).
-  [[nodiscard]] float count_before(float position) const noexcept;
+  [[nodiscard]] float count_before(float position) const noexcept {
+    float before = 0.0f;
+    for (std::uint32_t i = 0u; i < K; ++i) {
+      const float number = static_cast<float>(count[i]);
+      const float inside = saturate(position - static_cast<float>(i));
+      if (count[i] > 0u) {
+        const float mean = static_cast<float>(sum[i]) / number;
+        const float variance = static_cast<float>(squares[i]) / number - mean * mean;
+        const float reach = 1.73205081f * safe_sqrt(variance);
+        const float from = saturate((mean - reach) * (1.0f / 512.0f));
+        const float to = saturate((mean + reach) * (1.0f / 512.0f));
+        const float whole = inside > to || inside == 1.0f ? 1.0f : 0.0f;
+        before += number * (to > from && inside < 1.0f ? saturate((inside - from) / (to - from)) : whole);
+      }
+    }
+    return before;
+  }
 };
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · 3 K, (texel + 1) · 3 K) of the storage,
 /// all 0 at first. Lock-free; memory orders: cell_storage.
-template <std::uint32_t K, cell_storage Storage>
-void add_to_density_clusters(Storage& storage, std::uint32_t texel, float position) noexcept;
-
-/// A texel of such a storage. Not concurrent with add_to_density_clusters.
-template <std::uint32_t K, cell_storage Storage>
-[[nodiscard]] density_clusters<K> load_density_clusters(const Storage& storage, std::uint32_t texel) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-/// Where in its bin a position lies, [0, 512].
-[[nodiscard]] constexpr std::uint32_t step_in_bin(float position, std::uint32_t bin) noexcept {
-  return static_cast<std::uint32_t>(saturate(position - static_cast<float>(bin)) * 512.0f + 0.5f);
-}
-
-template <std::uint32_t K>
-constexpr density_clusters<K> density_clusters<K>::empty() noexcept {
-  density_clusters<K> none;
-  for (std::uint32_t i = 0u; i < K; ++i) {
-    none.count[i] = 0u;
-    none.sum[i] = 0u;
-    none.squares[i] = 0u;
-  }
-  return none;
-}
-
-template <std::uint32_t K>
-constexpr void density_clusters<K>::add(float position) noexcept {
-  const std::uint32_t bin = layer_at(position, K);
-  const std::uint32_t place = step_in_bin(position, bin);
-  count[bin] = add_saturating(count[bin], 1u);
-  sum[bin] = add_saturating(sum[bin], place);
-  squares[bin] = add_saturating(squares[bin], place * place);
-}
-
-template <std::uint32_t K>
-float density_clusters<K>::count_before(float position) const noexcept {
-  float before = 0.0f;
-  for (std::uint32_t i = 0u; i < K; ++i) {
-    const float number = static_cast<float>(count[i]);
-    const float inside = saturate(position - static_cast<float>(i));
-    if (count[i] > 0u) {
-      const float mean = static_cast<float>(sum[i]) / number;
-      const float variance = static_cast<float>(squares[i]) / number - mean * mean;
-      const float reach = 1.73205081f * safe_sqrt(variance);
-      const float from = saturate((mean - reach) * (1.0f / 512.0f));
-      const float to = saturate((mean + reach) * (1.0f / 512.0f));
-      const float whole = inside > to || inside == 1.0f ? 1.0f : 0.0f;
-      before += number * (to > from && inside < 1.0f ? saturate((inside - from) / (to - from)) : whole);
-    }
-  }
-  return before;
-}
-
 template <std::uint32_t K, cell_storage Storage>
 void add_to_density_clusters(Storage& storage, std::uint32_t texel, float position) noexcept {
   PELAGE_ASSERT(texel < storage.size() / (3u * K));
@@ -105,8 +87,9 @@ void add_to_density_clusters(Storage& storage, std::uint32_t texel, float positi
   add_to_cell(storage, first + 2u * K, place * place);
 }
 
+/// A texel of such a storage. Not concurrent with add_to_density_clusters.
 template <std::uint32_t K, cell_storage Storage>
-density_clusters<K> load_density_clusters(const Storage& storage, std::uint32_t texel) noexcept {
+[[nodiscard]] density_clusters<K> load_density_clusters(const Storage& storage, std::uint32_t texel) noexcept {
   density_clusters<K> clusters = density_clusters<K>::empty();
   for (std::uint32_t i = 0u; i < K; ++i) {
     clusters.count[i] = storage.load(texel * 3u * K + i, std::memory_order_relaxed);

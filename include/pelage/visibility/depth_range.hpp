@@ -12,108 +12,78 @@
 
 namespace pelage {
 
-/// The nearest and the farthest depth of a texel's fragments: where the slices of its maps begin and end. 8 bytes.
-///
-/// Holds keys (see depth_key), so that minimum and maximum are those of integers.
-/// Depends on the set of depths alone. What an opaque object hides is not to be taken in: the caller's depth limit
-/// cuts fibres before this.
-struct depth_range {
-  std::uint32_t nearest;   ///< key of the least depth; all ones while empty
-  std::uint32_t farthest;  ///< key of the greatest depth; 0 while empty
-
-  /// A range that holds no depth.
-  [[nodiscard]] static constexpr depth_range empty() noexcept;
-
-  /// Takes in a depth; NaN and infinite depths change nothing. O(1).
-  constexpr void extend(float depth) noexcept;
-
-  /// Takes in another range. Associative and commutative, empty() is the identity.
-  constexpr void merge(const depth_range& other) noexcept;
-
-  [[nodiscard]] constexpr bool is_empty() const noexcept;
-
-  /// The least depth, finite; 0 while empty.
-  [[nodiscard]] constexpr float nearest_depth() const noexcept;
-
-  /// The greatest depth, finite; 0 while empty.
-  [[nodiscard]] constexpr float farthest_depth() const noexcept;
-
-  /// Where a depth lies in the range: exactly 0 up to the nearest, exactly 1 from the farthest on, linear between;
-  /// never falls as depth grows. A range of one point: 0 up to and at it, 1 behind. An empty range, or NaN: 0.
-  [[nodiscard]] constexpr float relative(float depth) const noexcept;
-};
-
-/// Takes a depth into the range of a texel that many threads extend at once: cells 2 · texel and 2 · texel + 1, at
-/// first those of depth_range::empty(). NaN and infinite depths change nothing. Lock-free; memory orders: cell_storage.
-template <cell_storage Storage>
-void extend_depth_range(Storage& storage, std::uint32_t texel, float depth) noexcept;
-
-/// The range of a texel. Not concurrent with extend_depth_range.
-template <cell_storage Storage>
-[[nodiscard]] depth_range load_depth_range(const Storage& storage, std::uint32_t texel) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-constexpr depth_range depth_range::empty() noexcept {
-  return depth_range{0xffffffffu, 0u};
-}
-
 /// True for depths that a range takes in.
 [[nodiscard]] constexpr bool is_finite_depth(float depth) noexcept {
   return (std::bit_cast<std::uint32_t>(depth) & 0x7fffffffu) < 0x7f800000u;
 }
 
-constexpr void depth_range::extend(float depth) noexcept {
-  if (is_finite_depth(depth)) {
-    const std::uint32_t key = depth_key(depth);
-    nearest = key < nearest ? key : nearest;
-    farthest = key > farthest ? key : farthest;
+/// The nearest and the farthest depth of a texel's fragments: where the slices of its maps begin and end. 8 bytes.
+///
+/// Holds keys (see depth_key), so that minimum and maximum are those of integers. Depends on the set of depths alone.
+/// What an opaque object hides is not to be taken in: the caller's depth limit cuts fibres before this.
+struct depth_range {
+  std::uint32_t nearest;   ///< key of the least depth; all ones while empty
+  std::uint32_t farthest;  ///< key of the greatest depth; 0 while empty
+
+  /// A range that holds no depth.
+  [[nodiscard]] static constexpr depth_range empty() noexcept { return depth_range{0xffffffffu, 0u}; }
+
+  /// Takes in a depth; NaN and infinite depths change nothing. O(1).
+  constexpr void extend(float depth) noexcept {
+    if (is_finite_depth(depth)) {
+      const std::uint32_t key = depth_key(depth);
+      nearest = key < nearest ? key : nearest;
+      farthest = key > farthest ? key : farthest;
+    }
   }
-}
 
-constexpr void depth_range::merge(const depth_range& other) noexcept {
-  nearest = other.nearest < nearest ? other.nearest : nearest;
-  farthest = other.farthest > farthest ? other.farthest : farthest;
-}
-
-constexpr bool depth_range::is_empty() const noexcept {
-  return nearest > farthest;
-}
-
-constexpr float depth_range::nearest_depth() const noexcept {
-  return is_empty() ? 0.0f : depth_from_key(nearest);
-}
-
-constexpr float depth_range::farthest_depth() const noexcept {
-  return is_empty() ? 0.0f : depth_from_key(farthest);
-}
-
-constexpr float depth_range::relative(float depth) const noexcept {
-  const float from = nearest_depth();
-  const float to = farthest_depth();
-  if (is_empty() || !(depth > from)) {
-    return 0.0f;
+  /// Takes in another range. Associative and commutative, empty() is the identity.
+  constexpr void merge(const depth_range& other) noexcept {
+    nearest = other.nearest < nearest ? other.nearest : nearest;
+    farthest = other.farthest > farthest ? other.farthest : farthest;
   }
-  if (depth >= to) {
-    return 1.0f;
-  }
-  // Eighths, so that a range from one end of float to the other has a length below 2^126: a GPU divides by no more.
-  return saturate((0.125f * depth - 0.125f * from) / (0.125f * to - 0.125f * from));
-}
 
+  [[nodiscard]] constexpr bool is_empty() const noexcept { return nearest > farthest; }
+
+  /// The least depth, finite; 0 while empty.
+  [[nodiscard]] constexpr float nearest_depth() const noexcept { return is_empty() ? 0.0f : depth_from_key(nearest); }
+
+  /// The greatest depth, finite; 0 while empty.
+  [[nodiscard]] constexpr float farthest_depth() const noexcept { return is_empty() ? 0.0f : depth_from_key(farthest); }
+
+  /// Where a depth lies in the range: exactly 0 up to the nearest, exactly 1 from the farthest on, linear between;
+  /// never falls as depth grows. A range of one point: 0 up to and at it, 1 behind. An empty range, or NaN: 0.
+  [[nodiscard]] constexpr float relative(float depth) const noexcept {
+    const float from = nearest_depth();
+    const float to = farthest_depth();
+    if (is_empty() || !(depth > from)) {
+      return 0.0f;
+    }
+    if (depth >= to) {
+      return 1.0f;
+    }
+    // Eighths, so that a range from one end of float to the other has a length below 2^126: a GPU divides by no more.
+    return saturate((0.125f * depth - 0.125f * from) / (0.125f * to - 0.125f * from));
+  }
+};
+
+/// Takes a depth into the range of a texel that many threads extend at once: cells 2 · texel, the complement of the
+/// nearest key, and 2 · texel + 1, both 0 at first. NaN and infinite depths change nothing. Lock-free; memory orders:
+/// cell_storage.
 template <cell_storage Storage>
 void extend_depth_range(Storage& storage, std::uint32_t texel, float depth) noexcept {
   PELAGE_ASSERT(texel < storage.size() / 2u);
   if (is_finite_depth(depth)) {
     const std::uint32_t key = depth_key(depth);
-    lower_cell(storage, 2u * texel, key);
+    raise_cell(storage, 2u * texel, ~key);
     raise_cell(storage, 2u * texel + 1u, key);
   }
 }
 
+/// The range of a texel. Not concurrent with extend_depth_range.
 template <cell_storage Storage>
-depth_range load_depth_range(const Storage& storage, std::uint32_t texel) noexcept {
-  return depth_range{storage.load(2u * texel, std::memory_order_relaxed),
+[[nodiscard]] depth_range load_depth_range(const Storage& storage, std::uint32_t texel) noexcept {
+  return depth_range{~storage.load(2u * texel, std::memory_order_relaxed),
                      storage.load(2u * texel + 1u, std::memory_order_relaxed)};
 }
 

@@ -26,105 +26,76 @@ struct opacity_map {
   std::array<std::uint32_t, Layers> amount;  ///< of each layer; after accumulate() of it and all before it
 
   /// A texel without fragments.
-  [[nodiscard]] static constexpr opacity_map<Layers> empty() noexcept;
+  [[nodiscard]] static constexpr opacity_map<Layers> empty() noexcept {
+    opacity_map<Layers> map;
+    for (std::uint32_t i = 0u; i < Layers; ++i) {
+      map.amount[i] = 0u;
+    }
+    return map;
+  }
 
   /// Puts a fragment in. `position`: [0, Layers], see layer_position.hpp. Not concurrent (see add_to_opacity_map).
-  constexpr void add(float position, std::uint32_t added) noexcept;
+  constexpr void add(float position, std::uint32_t added) noexcept {
+    const std::uint32_t layer = layer_at(position, Layers);
+    amount[layer] = add_saturating(amount[layer], added);
+  }
 
   /// Puts another map with the same layers in. Associative and commutative, empty() is the identity.
-  constexpr void merge(const opacity_map<Layers>& other) noexcept;
+  constexpr void merge(const opacity_map<Layers>& other) noexcept {
+    for (std::uint32_t i = 0u; i < Layers; ++i) {
+      amount[i] = add_saturating(amount[i], other.amount[i]);
+    }
+  }
 
   /// The sum of all layers, before accumulate().
-  [[nodiscard]] constexpr std::uint32_t total() const noexcept;
+  [[nodiscard]] constexpr std::uint32_t total() const noexcept {
+    std::uint32_t sum = 0u;
+    for (std::uint32_t i = 0u; i < Layers; ++i) {
+      sum = add_saturating(sum, amount[i]);
+    }
+    return sum;
+  }
 
   /// The estimate of what lies before a position, [0, total()]: each layer weighs as much of itself as lies before,
   /// by one formula without a branch [Svoboda §1.3.3]. Never falls as the position grows; exact at the ends of layers
   /// (sums from 2²⁴ on by a float's own precision). Where total() stops it goes on beyond. O(Layers).
-  [[nodiscard]] constexpr float amount_before(float position) const noexcept;
+  [[nodiscard]] constexpr float amount_before(float position) const noexcept {
+    float sum = 0.0f;
+    for (std::uint32_t i = 0u; i < Layers; ++i) {
+      sum += saturate(position - static_cast<float>(i)) * static_cast<float>(amount[i]);
+    }
+    return sum;
+  }
 
   /// Replaces each sum by that of its layer and all before it, for accumulated_before(). Once, when all is in.
-  constexpr void accumulate() noexcept;
+  constexpr void accumulate() noexcept {
+    for (std::uint32_t i = 1u; i < Layers; ++i) {
+      amount[i] = add_saturating(amount[i], amount[i - 1u]);
+    }
+  }
 
   /// amount_before() of a map after accumulate(), up to rounding: two sums and a line between them. O(1).
-  [[nodiscard]] constexpr float accumulated_before(float position) const noexcept;
+  [[nodiscard]] constexpr float accumulated_before(float position) const noexcept {
+    const std::uint32_t layer = layer_at(position, Layers);
+    const std::uint32_t before = layer > 0u ? amount[layer - 1u] : 0u;
+    const float most = static_cast<float>(amount[layer]);
+    const float inside = position - static_cast<float>(layer);
+    const float sum = static_cast<float>(before) + inside * static_cast<float>(amount[layer] - before);
+    return sum < most ? sum : most;
+  }
 };
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · Layers, (texel + 1) · Layers) of the
 /// storage, all 0 at first. Lock-free; memory orders: cell_storage.
-template <std::uint32_t Layers, cell_storage Storage>
-void add_to_opacity_map(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept;
-
-/// A texel of such a storage. Not concurrent with add_to_opacity_map.
-template <std::uint32_t Layers, cell_storage Storage>
-[[nodiscard]] opacity_map<Layers> load_opacity_map(const Storage& storage, std::uint32_t texel) noexcept;
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <std::uint32_t Layers>
-constexpr opacity_map<Layers> opacity_map<Layers>::empty() noexcept {
-  opacity_map<Layers> map;
-  for (std::uint32_t i = 0u; i < Layers; ++i) {
-    map.amount[i] = 0u;
-  }
-  return map;
-}
-
-template <std::uint32_t Layers>
-constexpr void opacity_map<Layers>::add(float position, std::uint32_t added) noexcept {
-  const std::uint32_t layer = layer_at(position, Layers);
-  amount[layer] = add_saturating(amount[layer], added);
-}
-
-template <std::uint32_t Layers>
-constexpr void opacity_map<Layers>::merge(const opacity_map<Layers>& other) noexcept {
-  for (std::uint32_t i = 0u; i < Layers; ++i) {
-    amount[i] = add_saturating(amount[i], other.amount[i]);
-  }
-}
-
-template <std::uint32_t Layers>
-constexpr std::uint32_t opacity_map<Layers>::total() const noexcept {
-  std::uint32_t sum = 0u;
-  for (std::uint32_t i = 0u; i < Layers; ++i) {
-    sum = add_saturating(sum, amount[i]);
-  }
-  return sum;
-}
-
-template <std::uint32_t Layers>
-constexpr float opacity_map<Layers>::amount_before(float position) const noexcept {
-  float sum = 0.0f;
-  for (std::uint32_t i = 0u; i < Layers; ++i) {
-    sum += saturate(position - static_cast<float>(i)) * static_cast<float>(amount[i]);
-  }
-  return sum;
-}
-
-template <std::uint32_t Layers>
-constexpr void opacity_map<Layers>::accumulate() noexcept {
-  for (std::uint32_t i = 1u; i < Layers; ++i) {
-    amount[i] = add_saturating(amount[i], amount[i - 1u]);
-  }
-}
-
-template <std::uint32_t Layers>
-constexpr float opacity_map<Layers>::accumulated_before(float position) const noexcept {
-  const std::uint32_t layer = layer_at(position, Layers);
-  const std::uint32_t before = layer > 0u ? amount[layer - 1u] : 0u;
-  const float most = static_cast<float>(amount[layer]);
-  const float inside = position - static_cast<float>(layer);
-  const float sum = static_cast<float>(before) + inside * static_cast<float>(amount[layer] - before);
-  return sum < most ? sum : most;
-}
-
 template <std::uint32_t Layers, cell_storage Storage>
 void add_to_opacity_map(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept {
   PELAGE_ASSERT(texel < storage.size() / Layers);
   add_to_cell(storage, texel * Layers + layer_at(position, Layers), added);
 }
 
+/// A texel of such a storage. Not concurrent with add_to_opacity_map.
 template <std::uint32_t Layers, cell_storage Storage>
-opacity_map<Layers> load_opacity_map(const Storage& storage, std::uint32_t texel) noexcept {
+[[nodiscard]] opacity_map<Layers> load_opacity_map(const Storage& storage, std::uint32_t texel) noexcept {
   opacity_map<Layers> map = opacity_map<Layers>::empty();
   for (std::uint32_t i = 0u; i < Layers; ++i) {
     map.amount[i] = storage.load(texel * Layers + i, std::memory_order_relaxed);

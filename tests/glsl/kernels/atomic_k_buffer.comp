@@ -8,7 +8,7 @@
 #include "slots.glsl"
 
 #define PELAGE_ATOMIC_K_BUFFER_K 8
-#define PELAGE_ATOMIC_SLOT_STORAGE_SLOTS(i) held[i]
+#define PELAGE_ATOMIC_CELLS_64_WORDS(i) held[i]
 #include "pelage/glsl/order/atomic_k_buffer.glsl"
 
 void main() {

@@ -7,7 +7,7 @@
 #define RESULTS 83u
 #include "table.glsl"
 
-#define PELAGE_ATOMIC_CELL_STORAGE_CELLS(i) results[i]
+#define PELAGE_ATOMIC_CELLS_WORDS(i) results[i]
 #include "pelage/glsl/composite/depth_peeling.glsl"
 #include "pelage/glsl/composite/order_weighted.glsl"
 #include "pelage/glsl/composite/stochastic.glsl"

@@ -22,7 +22,7 @@ layout(std430, binding = 2) buffer loaded_block {
 #endif
 
 uint base = 0u;
-#define PELAGE_ATOMIC_CELL_STORAGE_CELLS(i) found[base + i]
+#define PELAGE_ATOMIC_CELLS_WORDS(i) found[base + i]
 #include "pelage/glsl/composite/atomic_tail.glsl"
 #include "pelage/glsl/composite/stochastic.glsl"
 #include "pelage/glsl/visibility/density_clusters.glsl"
@@ -43,7 +43,7 @@ void give(pelage_tail tail) {
 
 void use(uint texel) {
   if (texel >= texels) return;
-  next = texel * (2u + pelage_occupancy_map_cells + 16u + pelage_density_clusters_cells + 16u + 5u);
+  next = texel * (2u + pelage_occupancy_map_cells - 1u + 16u + pelage_density_clusters_cells + 16u + 5u);
   const pelage_depth_range range = pelage_load_depth_range(texel);
   give(range.nearest);
   give(range.farthest);

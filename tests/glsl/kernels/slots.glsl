@@ -17,9 +17,6 @@ layout(std430, binding = 1) coherent buffer slot_block {
   uint held[];
 #endif
 };
-layout(std430, binding = 2) coherent buffer second_block {
-  uint carried[];
-};
-layout(std430, binding = 3) buffer lost_block {
+layout(std430, binding = 2) buffer lost_block {
   pelage_fragment lost[];
 };

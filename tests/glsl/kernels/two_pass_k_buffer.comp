@@ -6,8 +6,7 @@
 #include "slots.glsl"
 
 #define PELAGE_TWO_PASS_K_BUFFER_K 8
-#define PELAGE_ATOMIC_SPLIT_SLOT_STORAGE_DEPTHS(i) held[i]
-#define PELAGE_ATOMIC_SPLIT_SLOT_STORAGE_IDS(i) carried[i]
+#define PELAGE_ATOMIC_CELLS_WORDS(i) held[i]
 #include "pelage/glsl/order/two_pass_k_buffer.glsl"
 
 void main() {

@@ -9,7 +9,7 @@
 #include "table.glsl"
 
 // No invocation here writes to a cell that others see: the maps are structs.
-#define PELAGE_ATOMIC_CELL_STORAGE_CELLS(i) results[i]
+#define PELAGE_ATOMIC_CELLS_WORDS(i) results[i]
 #include "pelage/glsl/core/mixed_bits.glsl"
 #include "pelage/glsl/visibility/density_clusters.glsl"
 #include "pelage/glsl/visibility/depth_range.glsl"

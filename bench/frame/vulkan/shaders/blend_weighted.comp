@@ -12,15 +12,14 @@
 #include "sums.glsl"
 
 void visit(uint i, uint pixel, touch where) {
-  go_to_texel(VIEW.first_pixel + pixel);
   sink_go_to(pixel);
   const seen_fibre fibre = see(i, where);
   const float alpha = fibre.opacity * fibre.coverage;
-  const occupancy o = load_occupancy();
+  const occupancy o = load_occupancy(VIEW.first_pixel + pixel);
   const float before = pelage_occupancy_map_amount_before(o.map, camera_position(o.range, where.depth));
   const float weight = pelage_optical_weight(alpha, before);
   const pelage_tail one = pelage_add_weighted(pelage_empty_tail(), alpha, weight, fibre.radiance);
-  add_to_sums(pixel, uvec4(one.weight, one.red, one.green, one.blue));
+  add_to_sums(pixel, VIEW.first_pixel + pixel, uvec4(one.weight, one.red, one.green, one.blue));
 }
 
 void main() {

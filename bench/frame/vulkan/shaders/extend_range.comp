@@ -9,8 +9,7 @@
 #include "occupancy.glsl"
 
 void visit(uint i, uint pixel, touch where) {
-  go_to_texel(VIEW.first_pixel + pixel);
-  extend_range(where.depth);
+  extend_range(VIEW.first_pixel + pixel, where.depth);
 }
 
 void main() {

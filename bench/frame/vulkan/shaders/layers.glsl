@@ -7,8 +7,9 @@
 #include "scene.glsl"
 
 layout(std430, binding = 19) LIVE buffer slot_buffer { uint64_t slots[]; };  ///< two a pixel: last, nearest
-#define PELAGE_ATOMIC_SLOT_STORAGE_SLOTS(i) slots[i]
-#include "pelage/glsl/order/slot_storage.glsl"
+#define PELAGE_ATOMIC_CELLS_64_WORDS(i) slots[i]
+#include "pelage/glsl/core/atomic_cells_64.glsl"
+#include "pelage/glsl/order/packed_fragment.glsl"
 
 layout(std430, binding = 21) buffer front_buffer { vec4 fronts[]; };  ///< radiance and transmittance
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// The occupancy map of a pixel of a view, as words that many invocations change at once: a sum a slab, a bit a slice,
-// the depth range, and a bit for each sum that went beyond 2³². All words of an empty one are 0.
+// The occupancy map of a pixel of a view and the depth range that it divides, in cells that many invocations change at
+// once, all 0 at first.
 #ifndef PELAGE_FRAME_OCCUPANCY_GLSL
 #define PELAGE_FRAME_OCCUPANCY_GLSL
 #include "scene.glsl"
@@ -9,36 +9,29 @@
 layout(std430, binding = 20) LIVE buffer cell_buffer { uint cells[]; };
 layout(std430, binding = 20) readonly buffer quad_buffer { uvec4 quads[]; };  ///< the same, to be read by fours
 
-uint first_cell;  ///< of the texel that the functions below are about
-#define PELAGE_ATOMIC_CELL_STORAGE_CELLS(i) cells[first_cell + (i)]
+uint first_cell;  ///< of what the library's functions are about: a texel's map, or its range behind that
+#define PELAGE_ATOMIC_CELLS_WORDS(i) cells[first_cell + (i)]
 #include "pelage/glsl/visibility/depth_range.glsl"
 #include "pelage/glsl/visibility/occupancy_map.glsl"
 
 const uint texel_cells = 12u;
-const uint occupied_cell = 4u;  ///< after the slabs'
-const uint nearest_cell = 8u;   ///< complement of the key, so that both ends grow
-const uint farthest_cell = 9u;
-const uint passed_cell = 10u;
 
-/// `texel`: among those of all views.
-void go_to_texel(uint texel) {
-  first_cell = texel_cells * texel;
+// `texel`: among those of all views.
+
+void extend_range(uint texel, float depth) {
+  first_cell = texel_cells * texel + pelage_occupancy_map_cells;
+  pelage_extend_depth_range(0u, depth);
 }
 
-void extend_range(float depth) {
-  if (pelage_is_finite_depth(depth)) {
-    const uint key = pelage_depth_key(depth);
-    pelage_raise_cell(nearest_cell, ~key);
-    pelage_raise_cell(farthest_cell, key);
-  }
+pelage_depth_range load_range(uint texel) {
+  first_cell = texel_cells * texel + pelage_occupancy_map_cells;
+  return pelage_load_depth_range(0u);
 }
 
 /// Puts a fragment in.
-void occupy(float position, uint amount) {
-  const uint slice = pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES);
-  const uint slab = slice / pelage_occupancy_map_slab_slices;
-  pelage_set_bits(occupied_cell + slice / 32u, 1u << (slice % 32u));
-  pelage_add_and_mark(slab, amount, passed_cell, 1u << slab);
+void occupy(uint texel, float position, uint amount) {
+  first_cell = texel_cells * texel;
+  pelage_add_to_occupancy_map(0u, position, amount);
 }
 
 /// A texel's map and range.
@@ -47,22 +40,19 @@ struct occupancy {
   pelage_depth_range range;
 };
 
-/// Of a map that is complete.
-occupancy load_occupancy() {
-  const uvec4 amount = quads[first_cell / 4u];
-  const uvec4 occupied = quads[first_cell / 4u + 1u];
-  const uvec4 rest = quads[first_cell / 4u + 2u];
+/// As pelage_load_occupancy_map() and pelage_load_depth_range() of a map that is complete, in three loads.
+occupancy load_occupancy(uint texel) {
+  const uint first = texel_cells / 4u * texel;
+  const uvec4 occupied = quads[first];
+  const uvec4 amount = quads[first + 1u];
+  const uvec4 rest = quads[first + 2u];
   occupancy o;
-  o.range = pelage_depth_range(~rest.x, rest.y);
+  o.range = pelage_depth_range(~rest.y, rest.z);
   for (uint i = 0u; i < 4u; ++i) {
     o.map.occupied[i] = occupied[i];
-    o.map.amount[i] = (rest.z >> i & 1u) != 0u ? 0xffffffffu : amount[i];
+    o.map.amount[i] = (rest.x >> i & 1u) != 0u ? 0xffffffffu : amount[i];
   }
   return o;
-}
-
-pelage_depth_range load_range() {
-  return pelage_depth_range(~cells[first_cell + nearest_cell], cells[first_cell + farthest_cell]);
 }
 
 /// Where a depth lies in a light's map.

@@ -10,8 +10,7 @@ float transmittance_at(uint texel, float depth) {
   if (depth > limits[texel]) {
     return 0.0;
   }
-  go_to_texel(texel);
-  const occupancy o = load_occupancy();
+  const occupancy o = load_occupancy(texel);
   const float before = pelage_occupancy_map_amount_before(o.map, light_position(o.range, depth));
   return pelage_fast_exp2(-before * (1.0 / 1048576.0));
 }

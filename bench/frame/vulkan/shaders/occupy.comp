@@ -12,13 +12,14 @@
 #endif
 
 void visit(uint i, uint pixel, touch where) {
-  go_to_texel(VIEW.first_pixel + pixel);
+  const uint texel = VIEW.first_pixel + pixel;
 #ifdef FOR_CAMERA
   sink_go_to(pixel);
   const seen_fibre fibre = see(i, where);
-  occupy(camera_position(load_range(), where.depth), pelage_optical_depth(fibre.opacity * fibre.coverage));
+  const float position = camera_position(load_range(texel), where.depth);
+  occupy(texel, position, pelage_optical_depth(fibre.opacity * fibre.coverage));
 #else
-  occupy(light_position(load_range(), where.depth), fragment_of(i, where).id);
+  occupy(texel, light_position(load_range(texel), where.depth), fragment_of(i, where).id);
 #endif
 }
 

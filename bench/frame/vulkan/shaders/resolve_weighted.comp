@@ -11,10 +11,10 @@ void main() {
   if (!is_inside(at)) {
     return;
   }
-  go_to_texel(VIEW.first_pixel + index_of(at));
-  const uint p = 3u * index_of(at);
+  const uint pixel = index_of(at);
+  const uint p = 3u * pixel;
   const vec3 background = vec3(picture[p], picture[p + 1u], picture[p + 2u]);
-  const vec3 colour = pelage_resolve(load_sums(index_of(at)), background);
+  const vec3 colour = pelage_resolve(load_sums(pixel, VIEW.first_pixel + pixel), background);
   picture[p] = colour.r;
   picture[p + 1u] = colour.g;
   picture[p + 2u] = colour.b;

@@ -1,15 +1,13 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// K slots a pixel as the library's storage: 64 bits each, or with SPLIT depths in the first half of the buffer and ids
-// in the second.
+// K slots a pixel as the library's cells: one of 64 bits each, or with SPLIT two of 32.
 #ifndef PELAGE_FRAME_SLOTS_GLSL
 #define PELAGE_FRAME_SLOTS_GLSL
 #include "scene.glsl"
 
 #ifdef SPLIT
 layout(std430, binding = 19) LIVE buffer slot_buffer { uint slots[]; };
-#define PELAGE_ATOMIC_SPLIT_SLOT_STORAGE_DEPTHS(i) slots[i]
-#define PELAGE_ATOMIC_SPLIT_SLOT_STORAGE_IDS(i) slots[uint(slots.length()) / 2u + i]
+#define PELAGE_ATOMIC_CELLS_WORDS(i) slots[i]
 #define PELAGE_TWO_PASS_K_BUFFER_K K
 #include "pelage/glsl/order/two_pass_k_buffer.glsl"
 
@@ -18,7 +16,7 @@ pelage_fragment slot_at(uint pixel, uint i) {
 }
 #else
 layout(std430, binding = 19) LIVE buffer slot_buffer { uint64_t slots[]; };
-#define PELAGE_ATOMIC_SLOT_STORAGE_SLOTS(i) slots[i]
+#define PELAGE_ATOMIC_CELLS_64_WORDS(i) slots[i]
 #define PELAGE_ATOMIC_K_BUFFER_K K
 #include "pelage/glsl/order/atomic_k_buffer.glsl"
 

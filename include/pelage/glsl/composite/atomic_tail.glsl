@@ -21,13 +21,6 @@ uint pelage_tail_words() {
 /// Adds one fragment's tail, as add_fragment(empty_tail(), alpha, colour) makes it. `pixel`: [0, size() / 6).
 /// Wait-free where the hardware adds atomically; O(1): at most 6 atomics, none for a sum that gains nothing. Memory
 /// orders: (1) and (2) of add_and_mark().
-void pelage_atomic_tail_add(uint pixel, pelage_tail one);
-
-/// The tail that merge() gives for all that was added. Not concurrent with add: (3) of load_marked().
-pelage_tail pelage_atomic_tail_load(uint pixel);
-
-// ---------------------------------------------------------------------------------------------------------
-
 void pelage_atomic_tail_add(uint pixel, pelage_tail one) {
   const uint first = pixel * pelage_tail_words();
   pelage_add_and_mark(first, one.optical, first + 5u, 1u);
@@ -37,6 +30,7 @@ void pelage_atomic_tail_add(uint pixel, pelage_tail one) {
   pelage_add_and_mark(first + 4u, one.blue, first + 5u, 16u);
 }
 
+/// The tail that merge() gives for all that was added. Not concurrent with add: (3) of load_marked().
 pelage_tail pelage_atomic_tail_load(uint pixel) {
   const uint first = pixel * pelage_tail_words();
   return pelage_tail(pelage_load_marked(first, first + 5u, 1u), pelage_load_marked(first + 1u, first + 5u, 2u),

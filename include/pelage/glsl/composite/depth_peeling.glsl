@@ -17,16 +17,29 @@ struct pelage_depth_peeling {
 };
 
 /// Before the first pass.
-pelage_depth_peeling pelage_depth_peeling_begin();
+pelage_depth_peeling pelage_depth_peeling_begin() {
+  return pelage_depth_peeling(pelage_no_fragment(), pelage_no_fragment(), false);
+}
 
 /// Offers a fragment to this pass. What is_fragment() refuses changes nothing. O(1).
-void pelage_depth_peeling_offer(inout pelage_depth_peeling self, pelage_fragment offered);
+void pelage_depth_peeling_offer(inout pelage_depth_peeling self, pelage_fragment offered) {
+  if (pelage_is_fragment(offered) && (!self.began || pelage_before(self.last, offered)) &&
+      pelage_before(offered, self.nearest)) {
+    self.nearest = offered;
+  }
+}
 
 /// The layer that the pass found, or no_fragment().
-pelage_fragment pelage_depth_peeling_layer(pelage_depth_peeling self);
+pelage_fragment pelage_depth_peeling_layer(pelage_depth_peeling self) {
+  return self.nearest;
+}
 
 /// Ends the pass.
-void pelage_depth_peeling_advance(inout pelage_depth_peeling self);
+void pelage_depth_peeling_advance(inout pelage_depth_peeling self) {
+  self.last = self.nearest;
+  self.nearest = pelage_no_fragment();
+  self.began = true;
+}
 
 /// Two layers a pass, the nearest and the farthest that are left. [Bavoil & Myers 2008, §3] n / 2 + 1 passes. Fronts
 /// come nearest first, backs farthest first; the last layer of an odd number comes as a front alone. 36 bytes.
@@ -39,48 +52,12 @@ struct pelage_dual_depth_peeling {
 };
 
 /// Before the first pass.
-pelage_dual_depth_peeling pelage_dual_depth_peeling_begin();
-
-/// Offers a fragment to this pass. What is_fragment() refuses changes nothing. O(1).
-void pelage_dual_depth_peeling_offer(inout pelage_dual_depth_peeling self, pelage_fragment offered);
-
-/// The front that the pass found, or no_fragment().
-pelage_fragment pelage_dual_depth_peeling_front(pelage_dual_depth_peeling self);
-
-/// The back that the pass found, or no_fragment() when there is none or it is the front.
-pelage_fragment pelage_dual_depth_peeling_back(pelage_dual_depth_peeling self);
-
-/// Ends the pass.
-void pelage_dual_depth_peeling_advance(inout pelage_dual_depth_peeling self);
-
-// ---------------------------------------------------------------------------------------------------------
-
-pelage_depth_peeling pelage_depth_peeling_begin() {
-  return pelage_depth_peeling(pelage_no_fragment(), pelage_no_fragment(), false);
-}
-
-void pelage_depth_peeling_offer(inout pelage_depth_peeling self, pelage_fragment offered) {
-  if (pelage_is_fragment(offered) && (!self.began || pelage_before(self.last, offered)) &&
-      pelage_before(offered, self.nearest)) {
-    self.nearest = offered;
-  }
-}
-
-pelage_fragment pelage_depth_peeling_layer(pelage_depth_peeling self) {
-  return self.nearest;
-}
-
-void pelage_depth_peeling_advance(inout pelage_depth_peeling self) {
-  self.last = self.nearest;
-  self.nearest = pelage_no_fragment();
-  self.began = true;
-}
-
 pelage_dual_depth_peeling pelage_dual_depth_peeling_begin() {
   return pelage_dual_depth_peeling(pelage_no_fragment(), pelage_no_fragment(), pelage_no_fragment(),
                                    pelage_no_fragment(), false);
 }
 
+/// Offers a fragment to this pass. What is_fragment() refuses changes nothing. O(1).
 void pelage_dual_depth_peeling_offer(inout pelage_dual_depth_peeling self, pelage_fragment offered) {
   // no_fragment() lies behind every fragment, so that before the first back none is too far.
   if (!pelage_is_fragment(offered) || (self.began && !pelage_before(self.front_last, offered)) ||
@@ -95,14 +72,17 @@ void pelage_dual_depth_peeling_offer(inout pelage_dual_depth_peeling self, pelag
   }
 }
 
+/// The front that the pass found, or no_fragment().
 pelage_fragment pelage_dual_depth_peeling_front(pelage_dual_depth_peeling self) {
   return self.nearest;
 }
 
+/// The back that the pass found, or no_fragment() when there is none or it is the front.
 pelage_fragment pelage_dual_depth_peeling_back(pelage_dual_depth_peeling self) {
   return pelage_same(self.nearest, self.farthest) ? pelage_no_fragment() : self.farthest;
 }
 
+/// Ends the pass.
 void pelage_dual_depth_peeling_advance(inout pelage_dual_depth_peeling self) {
   self.front_last = self.nearest;
   self.back_last = self.farthest;

@@ -13,22 +13,18 @@
 
 /// The weight of a fragment behind `order` others of its own alpha, [0, 1]. `order`: [0, inf). `alpha`: clamped to
 /// [0, 1]; where it is 1 only order 0 weighs anything. NaN gives 0 or NaN.
-precise float pelage_order_weight(float alpha, float order);
-
-/// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum optical_depth(alpha), and so
-/// know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
-precise float pelage_optical_weight(float alpha, float optical) {
-  return pelage_saturate(alpha) * pelage_fast_exp2(-optical * (1.0 / 1048576.0));
-}
-
-// ---------------------------------------------------------------------------------------------------------
-
 precise float pelage_order_weight(float alpha, float order) {
   const float held = pelage_saturate(alpha);
   if (held >= 1.0) {
     return order > 0.0 ? 0.0 : 1.0;
   }
   return held * pelage_fast_exp2(order * pelage_fast_log2(1.0 - held));
+}
+
+/// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum optical_depth(alpha), and so
+/// know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
+precise float pelage_optical_weight(float alpha, float optical) {
+  return pelage_saturate(alpha) * pelage_fast_exp2(-optical * (1.0 / 1048576.0));
 }
 
 #endif

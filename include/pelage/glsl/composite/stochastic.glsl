@@ -29,6 +29,16 @@ uint[PELAGE_STOCHASTIC_DEPTHS_SAMPLES] PELAGE_STOCHASTIC_DEPTHS_SAMPLES_has_one_
 #include "../core/fragment.glsl"
 #include "../core/mixed_bits.glsl"
 
+#ifndef PELAGE_COMPOSITE_STOCHASTIC_GLSL_ONCE
+
+/// True if a fragment is opaque in the sample of this number.
+precise bool pelage_takes_sample(uint id, float alpha, uint stream, uint number) {
+  const uint drawn = pelage_mixed_bits(pelage_mixed_bits(id ^ stream) + number * 0x9e3779b9u);
+  return float(drawn >> 8u) * (1.0 / 16777216.0) < alpha;
+}
+
+#endif
+
 /// Stochastic transparency [Enderton et al. 2010]: each of a pixel's samples takes a fragment as opaque with the
 /// probability alpha and keeps the nearest depth that it took, like an ordinary depth buffer. The share of samples in
 /// which nothing lies before a depth is an estimate, right on average, of the transmittance up to it.
@@ -42,50 +52,6 @@ struct pelage_stochastic_depths {
 };
 
 /// A pixel with nothing in it.
-pelage_stochastic_depths pelage_stochastic_depths_empty();
-
-/// Adds a fragment; what is_fragment() refuses changes nothing. `alpha`: [0, 1]; 0 takes no sample, 1 takes all.
-/// `stream`: stochastic_stream() of the pixel. Not concurrent. O(Samples).
-void pelage_stochastic_depths_add(inout pelage_stochastic_depths self, pelage_fragment f, float alpha, uint stream);
-
-/// The share of samples that hold nothing before a depth, [0, 1]; never rises with depth. A NaN depth lies
-/// before or behind all.
-precise float pelage_stochastic_depths_transmittance_before(pelage_stochastic_depths self, float depth);
-
-#ifndef PELAGE_COMPOSITE_STOCHASTIC_GLSL_ONCE
-
-/// The numbers that one pixel draws under a seed: two pixels, or two seeds, draw others.
-uint pelage_stochastic_stream(uint seed, uint pixel);
-
-#endif
-
-/// Adds a fragment to a pixel that many threads fill at once: cells [pixel · Samples, (pixel + 1) · Samples) of the
-/// storage, all ones at first. Lock-free; memory orders: cell_storage.
-void pelage_add_to_stochastic_depths(uint pixel, pelage_fragment f, float alpha, uint seed);
-
-/// A pixel of such a storage. Not concurrent with add_to_stochastic_depths.
-pelage_stochastic_depths pelage_load_stochastic_depths(uint pixel);
-
-#ifndef PELAGE_COMPOSITE_STOCHASTIC_GLSL_ONCE
-
-/// True if a fragment is opaque in the sample of this number.
-precise bool pelage_takes_sample(uint id, float alpha, uint stream, uint number) {
-  const uint drawn = pelage_mixed_bits(pelage_mixed_bits(id ^ stream) + number * 0x9e3779b9u);
-  return float(drawn >> 8u) * (1.0 / 16777216.0) < alpha;
-}
-
-#endif
-
-// ---------------------------------------------------------------------------------------------------------
-
-#ifndef PELAGE_COMPOSITE_STOCHASTIC_GLSL_ONCE
-
-uint pelage_stochastic_stream(uint seed, uint pixel) {
-  return pelage_mixed_bits(pelage_mixed_bits(seed) + pixel);
-}
-
-#endif
-
 pelage_stochastic_depths pelage_stochastic_depths_empty() {
   pelage_stochastic_depths none;
   for (uint i = 0u; i < PELAGE_STOCHASTIC_DEPTHS_SAMPLES; ++i) {
@@ -94,6 +60,8 @@ pelage_stochastic_depths pelage_stochastic_depths_empty() {
   return none;
 }
 
+/// Adds a fragment; what is_fragment() refuses changes nothing. `alpha`: [0, 1]; 0 takes no sample, 1 takes all.
+/// `stream`: stochastic_stream() of the pixel. Not concurrent. O(Samples).
 void pelage_stochastic_depths_add(inout pelage_stochastic_depths self, pelage_fragment f, float alpha, uint stream) {
   if (!pelage_is_fragment(f)) {
     return;
@@ -105,6 +73,8 @@ void pelage_stochastic_depths_add(inout pelage_stochastic_depths self, pelage_fr
   }
 }
 
+/// The share of samples that hold nothing before a depth, [0, 1]; never rises with depth. A NaN depth lies
+/// before or behind all.
 precise float pelage_stochastic_depths_transmittance_before(pelage_stochastic_depths self, float depth) {
   const uint key = pelage_depth_key(depth);
   uint open = 0u;
@@ -114,6 +84,17 @@ precise float pelage_stochastic_depths_transmittance_before(pelage_stochastic_de
   return float(open) / float(PELAGE_STOCHASTIC_DEPTHS_SAMPLES);
 }
 
+#ifndef PELAGE_COMPOSITE_STOCHASTIC_GLSL_ONCE
+
+/// The numbers that one pixel draws under a seed: two pixels, or two seeds, draw others.
+uint pelage_stochastic_stream(uint seed, uint pixel) {
+  return pelage_mixed_bits(pelage_mixed_bits(seed) + pixel);
+}
+
+#endif
+
+/// Adds a fragment to a pixel that many threads fill at once: cells [pixel · Samples, (pixel + 1) · Samples) of the
+/// storage, all ones at first. Lock-free; memory orders: cell_storage.
 void pelage_add_to_stochastic_depths(uint pixel, pelage_fragment f, float alpha, uint seed) {
   if (!pelage_is_fragment(f)) {
     return;
@@ -126,11 +107,12 @@ void pelage_add_to_stochastic_depths(uint pixel, pelage_fragment f, float alpha,
   }
 }
 
+/// A pixel of such a storage. Not concurrent with add_to_stochastic_depths.
 pelage_stochastic_depths pelage_load_stochastic_depths(uint pixel) {
   pelage_stochastic_depths depths = pelage_stochastic_depths_empty();
   for (uint i = 0u; i < PELAGE_STOCHASTIC_DEPTHS_SAMPLES; ++i) {
     depths.nearest[i] =
-        pelage_atomic_cell_storage_load(pixel * PELAGE_STOCHASTIC_DEPTHS_SAMPLES + i, pelage_memory_order_relaxed);
+        pelage_atomic_cells_load(pixel * PELAGE_STOCHASTIC_DEPTHS_SAMPLES + i, pelage_memory_order_relaxed);
   }
   return depths;
 }

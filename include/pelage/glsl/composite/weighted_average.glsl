@@ -18,36 +18,23 @@ struct pelage_weighted_average {
 };
 
 /// A pixel with nothing in it.
-pelage_weighted_average pelage_weighted_average_empty();
-
-/// Adds a fragment. Parameters as add_fragment() of a tail.
-void pelage_weighted_average_add(inout pelage_weighted_average self, float alpha, vec3 colour);
-
-/// Adds another pixel's part. Associative and commutative, empty() is the identity.
-void pelage_weighted_average_merge(inout pelage_weighted_average self, pelage_weighted_average other);
-
-/// What passes all fragments, [0, 1]: (1 - Σ α / n)ⁿ; 1 when there are none.
-precise float pelage_weighted_average_transmittance(pelage_weighted_average self);
-
-/// What is seen of the pixel in front of a background.
-precise vec3 pelage_weighted_average_resolve(pelage_weighted_average self, vec3 background);
-
-// ---------------------------------------------------------------------------------------------------------
-
 pelage_weighted_average pelage_weighted_average_empty() {
   return pelage_weighted_average(pelage_empty_tail(), 0u);
 }
 
+/// Adds a fragment. Parameters as add_fragment() of a tail.
 void pelage_weighted_average_add(inout pelage_weighted_average self, float alpha, vec3 colour) {
   self.sums = pelage_add_fragment(self.sums, alpha, colour);
   self.count = pelage_add_saturating(self.count, 1u);
 }
 
+/// Adds another pixel's part. Associative and commutative, empty() is the identity.
 void pelage_weighted_average_merge(inout pelage_weighted_average self, pelage_weighted_average other) {
   self.sums = pelage_merge(self.sums, other.sums);
   self.count = pelage_add_saturating(self.count, other.count);
 }
 
+/// What passes all fragments, [0, 1]: (1 - Σ α / n)ⁿ; 1 when there are none.
 precise float pelage_weighted_average_transmittance(pelage_weighted_average self) {
   if (self.count == 0u) {
     return 1.0;
@@ -57,6 +44,7 @@ precise float pelage_weighted_average_transmittance(pelage_weighted_average self
   return pelage_fast_exp2(number * pelage_fast_log2(1.0 - mean));
 }
 
+/// What is seen of the pixel in front of a background.
 precise vec3 pelage_weighted_average_resolve(pelage_weighted_average self, vec3 background) {
   const float passed = pelage_weighted_average_transmittance(self);
   return pelage_mean_colour(self.sums) * (1.0 - passed) + background * passed;

@@ -13,10 +13,6 @@
 /// over 3·10³, so that fixed-point sums hold it; the mean does not see the scale. `relative` z: the depth in
 /// [0, 1], 0 nearest, best depth_range::relative of the pixel, whose nearest fragment then weighs α; over a range of
 /// the whole scene, far pixels lose precision, 2⁻²¹ a fragment. NaN counts as 0.
-precise float pelage_depth_weight(float alpha, float relative);
-
-// ---------------------------------------------------------------------------------------------------------
-
 precise float pelage_depth_weight(float alpha, float relative) {
   const float left = 1.0 - pelage_saturate(relative);
   const float weight = left * left * left;

@@ -13,14 +13,6 @@
 
 /// The tail with one more fragment of a weight of its own. `weight`: [0, 1] so that the sums reach 4096 fragments,
 /// alpha included, to the nearest 2⁻²⁰; NaN counts as 0. `colour`: linear RGB, [0, inf]. `alpha`: clamped to [0, 1].
-precise pelage_tail pelage_add_weighted(pelage_tail t, float alpha, float weight, vec3 colour);
-
-/// What is seen of a tail before a background: its mean colour by weight over what it lets through. Black for the
-/// fibres' part where no weight reaches 2⁻²¹. The scale by which the mean is put right is Λ = 1 - transmittance.
-precise vec3 pelage_resolve(pelage_tail t, vec3 background);
-
-// ---------------------------------------------------------------------------------------------------------
-
 precise pelage_tail pelage_add_weighted(pelage_tail t, float alpha, float weight, vec3 colour) {
   const float held = weight > 0.0 ? weight : 0.0;
   const pelage_tail one =
@@ -29,6 +21,8 @@ precise pelage_tail pelage_add_weighted(pelage_tail t, float alpha, float weight
   return pelage_merge(t, one);
 }
 
+/// What is seen of a tail before a background: its mean colour by weight over what it lets through. Black for the
+/// fibres' part where no weight reaches 2⁻²¹. The scale by which the mean is put right is Λ = 1 - transmittance.
 precise vec3 pelage_resolve(pelage_tail t, vec3 background) {
   const float passed = pelage_transmittance_of(t);
   return pelage_mean_colour(t) * (1.0 - passed) + background * passed;

@@ -9,113 +9,94 @@
 
 // The shader says where these cells lie before it includes this file; those that others write
 // meanwhile belong into a coherent buffer:
-//   PELAGE_ATOMIC_CELL_STORAGE_CELLS(i)  at most 2^32 - 1
-#ifndef PELAGE_ATOMIC_CELL_STORAGE_CELLS
-#error core/atomic_cells.glsl: define PELAGE_ATOMIC_CELL_STORAGE_CELLS(i) before the include
+//   PELAGE_ATOMIC_CELLS_WORDS(i)  at most 2^32 - 1
+#ifndef PELAGE_ATOMIC_CELLS_WORDS
+#error core/atomic_cells.glsl: define PELAGE_ATOMIC_CELLS_WORDS(i) before the include
 #endif
 
-uint pelage_atomic_cell_storage_load(uint pelage_cell, int pelage_order) {
-  return pelage_acquire(PELAGE_ATOMIC_CELL_STORAGE_CELLS(pelage_cell), pelage_order);
+uint pelage_atomic_cells_load(uint pelage_cell, int pelage_order) {
+  return pelage_acquire(PELAGE_ATOMIC_CELLS_WORDS(pelage_cell), pelage_order);
 }
 
-uint pelage_atomic_cell_storage_fetch_min(uint pelage_cell, uint pelage_value, int pelage_order) {
-  return pelage_acquire(
-      atomicMin(PELAGE_ATOMIC_CELL_STORAGE_CELLS(pelage_cell), pelage_release(pelage_value, pelage_order)),
-      pelage_order);
+uint pelage_atomic_cells_fetch_min(uint pelage_cell, uint pelage_value, int pelage_order) {
+  return pelage_acquire(atomicMin(PELAGE_ATOMIC_CELLS_WORDS(pelage_cell), pelage_release(pelage_value, pelage_order)),
+                        pelage_order);
 }
 
-uint pelage_atomic_cell_storage_fetch_max(uint pelage_cell, uint pelage_value, int pelage_order) {
-  return pelage_acquire(
-      atomicMax(PELAGE_ATOMIC_CELL_STORAGE_CELLS(pelage_cell), pelage_release(pelage_value, pelage_order)),
-      pelage_order);
+uint pelage_atomic_cells_fetch_max(uint pelage_cell, uint pelage_value, int pelage_order) {
+  return pelage_acquire(atomicMax(PELAGE_ATOMIC_CELLS_WORDS(pelage_cell), pelage_release(pelage_value, pelage_order)),
+                        pelage_order);
 }
 
-uint pelage_atomic_cell_storage_fetch_or(uint pelage_cell, uint pelage_bits, int pelage_order) {
-  return pelage_acquire(
-      atomicOr(PELAGE_ATOMIC_CELL_STORAGE_CELLS(pelage_cell), pelage_release(pelage_bits, pelage_order)), pelage_order);
+uint pelage_atomic_cells_fetch_or(uint pelage_cell, uint pelage_bits, int pelage_order) {
+  return pelage_acquire(atomicOr(PELAGE_ATOMIC_CELLS_WORDS(pelage_cell), pelage_release(pelage_bits, pelage_order)),
+                        pelage_order);
 }
 
-uint pelage_atomic_cell_storage_fetch_add(uint pelage_cell, uint pelage_amount, int pelage_order) {
-  return pelage_acquire(
-      atomicAdd(PELAGE_ATOMIC_CELL_STORAGE_CELLS(pelage_cell), pelage_release(pelage_amount, pelage_order)),
-      pelage_order);
+uint pelage_atomic_cells_fetch_add(uint pelage_cell, uint pelage_amount, int pelage_order) {
+  return pelage_acquire(atomicAdd(PELAGE_ATOMIC_CELLS_WORDS(pelage_cell), pelage_release(pelage_amount, pelage_order)),
+                        pelage_order);
 }
 
-uint pelage_atomic_cell_storage_compare_exchange(uint pelage_cell, uint pelage_expected, uint pelage_desired,
-                                                 int pelage_order) {
-  pelage_expected = pelage_acquire(atomicCompSwap(PELAGE_ATOMIC_CELL_STORAGE_CELLS(pelage_cell), pelage_expected,
+uint pelage_atomic_cells_compare_exchange(uint pelage_cell, uint pelage_expected, uint pelage_desired,
+                                          int pelage_order) {
+  pelage_expected = pelage_acquire(atomicCompSwap(PELAGE_ATOMIC_CELLS_WORDS(pelage_cell), pelage_expected,
                                                   pelage_release(pelage_desired, pelage_order)),
                                    pelage_order);
   return pelage_expected;
 }
 
 /// Sets bits. Costs no write where they are set already.
-void pelage_set_bits(uint cell, uint bits);
+void pelage_set_bits(uint cell, uint bits) {
+  if ((pelage_atomic_cells_load(cell, pelage_memory_order_relaxed) & bits) != bits) {
+    pelage_atomic_cells_fetch_or(cell, bits, pelage_memory_order_relaxed);
+  }
+}
 
 /// Lowers a cell to a value, if that is less. Costs no write where it is not.
-void pelage_lower_cell(uint cell, uint value);
+void pelage_lower_cell(uint cell, uint value) {
+  if (value < pelage_atomic_cells_load(cell, pelage_memory_order_relaxed)) {
+    pelage_atomic_cells_fetch_min(cell, value, pelage_memory_order_relaxed);
+  }
+}
 
 /// Raises a cell to a value, if that is more. Costs no write where it is not.
-void pelage_raise_cell(uint cell, uint value);
+void pelage_raise_cell(uint cell, uint value) {
+  if (value > pelage_atomic_cells_load(cell, pelage_memory_order_relaxed)) {
+    pelage_atomic_cells_fetch_max(cell, value, pelage_memory_order_relaxed);
+  }
+}
 
 /// Adds to a cell and stops at 2³² - 1, which is still the same in any order; a plain fetch_add would wrap round.
-void pelage_add_to_cell(uint cell, uint amount);
-
-/// Adds to a cell modulo 2³² and sets `bit` in the cell `ends` if that passes the end of the range: what
-/// add_to_cell() does, for hardware that adds, at the price of a bit a sum. A sum modulo 2³² passes its end once for
-/// every 2³² of the true sum, in whichever order the parts come; so whether one of the additions (1) saw it pass and
-/// set the bit (2) says whether the sum saturates.
-void pelage_add_and_mark(uint cell, uint amount, uint ends, uint bit);
-
-/// What add_and_mark() left in a cell, saturated. Not concurrent with it: (3) is read behind the barrier.
-uint pelage_load_marked(uint cell, uint ends, uint bit);
-
-// ---------------------------------------------------------------------------------------------------------
-
-void pelage_set_bits(uint cell, uint bits) {
-  const uint found = pelage_atomic_cell_storage_load(cell, pelage_memory_order_relaxed);
-  if ((found & bits) != bits) {
-    pelage_atomic_cell_storage_fetch_or(cell, bits, pelage_memory_order_relaxed);
-  }
-}
-
-void pelage_lower_cell(uint cell, uint value) {
-  if (value < pelage_atomic_cell_storage_load(cell, pelage_memory_order_relaxed)) {
-    pelage_atomic_cell_storage_fetch_min(cell, value, pelage_memory_order_relaxed);
-  }
-}
-
-void pelage_raise_cell(uint cell, uint value) {
-  if (value > pelage_atomic_cell_storage_load(cell, pelage_memory_order_relaxed)) {
-    pelage_atomic_cell_storage_fetch_max(cell, value, pelage_memory_order_relaxed);
-  }
-}
-
 void pelage_add_to_cell(uint cell, uint amount) {
-  uint found = pelage_atomic_cell_storage_load(cell, pelage_memory_order_relaxed);
+  uint found = pelage_atomic_cells_load(cell, pelage_memory_order_relaxed);
   while (amount > 0u && found < 0xffffffffu) {
     const uint expected = found;
-    found = pelage_atomic_cell_storage_compare_exchange(cell, expected, pelage_add_saturating(expected, amount),
-                                                        pelage_memory_order_relaxed);
+    found = pelage_atomic_cells_compare_exchange(cell, expected, pelage_add_saturating(expected, amount),
+                                                 pelage_memory_order_relaxed);
     if (found == expected) {
       return;
     }
   }
 }
 
+/// Adds to a cell modulo 2³² and sets `bit` in the cell `ends` if that passes the end of the range: what
+/// add_to_cell() does, for hardware that adds, at the price of a bit a sum. A sum modulo 2³² passes its end once for
+/// every 2³² of the true sum, in whichever order the parts come; so whether one of the additions (1) saw it pass and
+/// set the bit (2) says whether the sum saturates.
 void pelage_add_and_mark(uint cell, uint amount, uint ends, uint bit) {
   if (amount != 0u) {
-    const uint held = pelage_atomic_cell_storage_fetch_add(cell, amount, pelage_memory_order_relaxed);  // (1)
+    const uint held = pelage_atomic_cells_fetch_add(cell, amount, pelage_memory_order_relaxed);  // (1)
     if (held > 0xffffffffu - amount) {
-      pelage_atomic_cell_storage_fetch_or(ends, bit, pelage_memory_order_relaxed);  // (2)
+      pelage_atomic_cells_fetch_or(ends, bit, pelage_memory_order_relaxed);  // (2)
     }
   }
 }
 
+/// What add_and_mark() left in a cell, saturated. Not concurrent with it: (3) is read behind the barrier.
 uint pelage_load_marked(uint cell, uint ends, uint bit) {
-  const uint passed = pelage_atomic_cell_storage_load(ends, pelage_memory_order_relaxed) & bit;  // (3)
-  const uint held = pelage_atomic_cell_storage_load(cell, pelage_memory_order_relaxed);          // (3)
-  return passed != 0u ? 0xffffffffu : held;
+  const bool passed = (pelage_atomic_cells_load(ends, pelage_memory_order_relaxed) & bit) != 0u;  // (3)
+  return passed ? 0xffffffffu : pelage_atomic_cells_load(cell, pelage_memory_order_relaxed);      // (3)
 }
 
 #endif

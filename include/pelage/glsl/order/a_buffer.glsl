@@ -19,16 +19,6 @@
 ///
 /// (1) The exchange is relaxed: no thread reads a list while others push, and atomic exchanges on one head still
 /// give each pusher its own predecessor. (2) Relaxed as well; only the barrier after the phase publishes it.
-pelage_fragment pelage_a_buffer_push(uint list, pelage_fragment offered);
-
-/// The first node of a list, or no_node(). Not concurrent with push.
-uint pelage_a_buffer_first(uint list);
-
-/// The node after a node, or no_node(). Not concurrent with push.
-uint pelage_a_buffer_next(uint node);
-
-// ---------------------------------------------------------------------------------------------------------
-
 pelage_fragment pelage_a_buffer_push(uint list, pelage_fragment offered) {
   const uint node = pelage_is_fragment(offered) ? pelage_take_node() : pelage_no_node();
   if (node == pelage_no_node()) {
@@ -41,10 +31,12 @@ pelage_fragment pelage_a_buffer_push(uint list, pelage_fragment offered) {
   return pelage_no_fragment();
 }
 
+/// The first node of a list, or no_node(). Not concurrent with push.
 uint pelage_a_buffer_first(uint list) {
   return pelage_atomic_list_storage_load_link(list, pelage_memory_order_relaxed);
 }
 
+/// The node after a node, or no_node(). Not concurrent with push.
 uint pelage_a_buffer_next(uint node) {
   return pelage_atomic_list_storage_load_link(pelage_link_of(node), pelage_memory_order_relaxed);
 }

@@ -24,16 +24,17 @@ uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shade
 #error order/atomic_k_buffer.glsl needs 64-bit integers: the extension GL_EXT_shader_explicit_arithmetic_types_int64
 #endif
 
+#include "../core/atomic_cells_64.glsl"
 #include "../core/fragment.glsl"
-#include "slot_storage.glsl"
+#include "packed_fragment.glsl"
 
 /// The K fragments of each pixel nearest the eye, sorted, built by many threads in one pass and fixed memory: a
 /// cascade of atomic minima.
 ///
 /// Keeps the K first of the total order; drops nothing silently, since insert() hands back what falls out, for the
 /// caller's tail (composite/atomic_tail.hpp). Once all inserts are done, the slots and the set of what fell out
-/// depend on the set of fragments alone. Build and read are two phases, as with a_buffer. 8 K bytes a pixel; no
-/// pool, so nothing can fill up. K in [1, 64].
+/// depend on the set of fragments alone. Build and read are two phases, as with a_buffer. 8 K bytes a pixel: cells
+/// [pixel · K, (pixel + 1) · K), all pack(no_fragment()) at first; no pool, so nothing can fill up. K in [1, 64].
 ///
 /// Proof. (a) Nothing is lost or doubled: each minimum leaves one of two values in the slot and carries the other on,
 /// and it is atomic. (b) A value that has passed a slot is larger than what the slot holds from then on: the minimum
@@ -55,21 +56,13 @@ uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shade
 ///
 /// (1) and (2) are relaxed: a stale value is one that the slot held before, hence no smaller, and only leads to a
 /// step that could have been spared. (3) is relaxed: the slot holds all there is to know, and publishes nothing else.
-pelage_fragment pelage_atomic_k_buffer_insert(uint pixel, pelage_fragment offered);
-
-/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with insert:
-/// (4) is relaxed, the barrier between the phases orders it after every (3).
-pelage_fragment pelage_atomic_k_buffer_at(uint pixel, uint i);
-
-// ---------------------------------------------------------------------------------------------------------
-
 pelage_fragment pelage_atomic_k_buffer_insert(uint pixel, pelage_fragment offered) {
   if (!pelage_is_fragment(offered)) {
     return offered;
   }
   const uint first = pixel * PELAGE_ATOMIC_K_BUFFER_K;
   uint64_t carried = pelage_pack(offered);
-  if (pelage_atomic_slot_storage_load(first + PELAGE_ATOMIC_K_BUFFER_K - 1u, pelage_memory_order_relaxed) <
+  if (pelage_atomic_cells_64_load(first + PELAGE_ATOMIC_K_BUFFER_K - 1u, pelage_memory_order_relaxed) <
       carried) {  // (1)
     return pelage_unpack(carried);
   }
@@ -77,22 +70,24 @@ pelage_fragment pelage_atomic_k_buffer_insert(uint pixel, pelage_fragment offere
   uint end = PELAGE_ATOMIC_K_BUFFER_K - 1u;
   while (begin < end) {
     const uint middle = (begin + end) / 2u;
-    if (pelage_atomic_slot_storage_load(first + middle, pelage_memory_order_relaxed) < carried) {  // (2)
+    if (pelage_atomic_cells_64_load(first + middle, pelage_memory_order_relaxed) < carried) {  // (2)
       begin = middle + 1u;
     } else {
       end = middle;
     }
   }
   for (uint i = begin; i < PELAGE_ATOMIC_K_BUFFER_K && carried != pelage_pack(pelage_no_fragment()); ++i) {
-    const uint64_t held = pelage_atomic_slot_storage_fetch_min(first + i, carried, pelage_memory_order_relaxed);  // (3)
+    const uint64_t held = pelage_atomic_cells_64_fetch_min(first + i, carried, pelage_memory_order_relaxed);  // (3)
     carried = max(held, carried);
   }
   return pelage_unpack(carried);
 }
 
+/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with insert:
+/// (4) is relaxed, the barrier between the phases orders it after every (3).
 pelage_fragment pelage_atomic_k_buffer_at(uint pixel, uint i) {
   return pelage_unpack(
-      pelage_atomic_slot_storage_load(pixel * PELAGE_ATOMIC_K_BUFFER_K + i, pelage_memory_order_relaxed));  // (4)
+      pelage_atomic_cells_64_load(pixel * PELAGE_ATOMIC_K_BUFFER_K + i, pelage_memory_order_relaxed));  // (4)
 }
 
 #ifdef PELAGE_PREFIX

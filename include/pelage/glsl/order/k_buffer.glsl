@@ -51,29 +51,6 @@ struct pelage_k_buffer {
 };
 
 /// A buffer that holds nothing.
-pelage_k_buffer pelage_k_buffer_empty();
-
-/// Offers a fragment and returns what fell out: the fragment that it pushed out, itself where K nearer ones are
-/// held, or no_fragment(). What is_fragment() refuses comes back as it is. O(1) when the fragment is too far,
-/// O(K) when it stays.
-pelage_fragment pelage_k_buffer_insert(inout pelage_k_buffer self, pelage_fragment offered);
-
-/// Takes the K nearest of both; what fell out is left in `other`, which is a valid buffer again. `other` must not
-/// be this buffer. Associative and commutative in what is kept, with empty() as identity, so partial results of
-/// several workers combine in any order. O(K²).
-void pelage_k_buffer_merge(inout pelage_k_buffer self, inout pelage_k_buffer other);
-
-/// Puts the slots in the total order, nearest first, empty ones last. O(K log² K).
-void pelage_k_buffer_sort(inout pelage_k_buffer self);
-
-/// Fragments held, [0, K]. O(K).
-uint pelage_k_buffer_size(pelage_k_buffer self);
-
-/// Finds the farthest slot anew, for whoever wrote to the slots. O(K).
-void pelage_k_buffer_find_farthest(inout pelage_k_buffer self);
-
-// ---------------------------------------------------------------------------------------------------------
-
 pelage_k_buffer pelage_k_buffer_empty() {
   pelage_k_buffer none;
   for (uint i = 0u; i < PELAGE_K_BUFFER_K; ++i) {
@@ -84,6 +61,11 @@ pelage_k_buffer pelage_k_buffer_empty() {
   return none;
 }
 
+void pelage_k_buffer_find_farthest(inout pelage_k_buffer self);
+
+/// Offers a fragment and returns what fell out: the fragment that it pushed out, itself where K nearer ones are
+/// held, or no_fragment(). What is_fragment() refuses comes back as it is. O(1) when the fragment is too far,
+/// O(K) when it stays.
 pelage_fragment pelage_k_buffer_insert(inout pelage_k_buffer self, pelage_fragment offered) {
   if (!pelage_is_fragment(offered) || !pelage_before(offered, self.farthest)) {
     return offered;
@@ -98,6 +80,9 @@ pelage_fragment pelage_k_buffer_insert(inout pelage_k_buffer self, pelage_fragme
   return lost;
 }
 
+/// Takes the K nearest of both; what fell out is left in `other`, which is a valid buffer again. `other` must not
+/// be this buffer. Associative and commutative in what is kept, with empty() as identity, so partial results of
+/// several workers combine in any order. O(K²).
 void pelage_k_buffer_merge(inout pelage_k_buffer self, inout pelage_k_buffer other) {
   for (uint i = 0u; i < PELAGE_K_BUFFER_K; ++i) {
     const pelage_fragment lost = pelage_k_buffer_insert(self, other.slot[i]);
@@ -106,12 +91,14 @@ void pelage_k_buffer_merge(inout pelage_k_buffer self, inout pelage_k_buffer oth
   pelage_k_buffer_find_farthest(other);
 }
 
+/// Puts the slots in the total order, nearest first, empty ones last. O(K log² K).
 void pelage_k_buffer_sort(inout pelage_k_buffer self) {
   pelage_sort_network(self.slot);
   self.farthest = self.slot[PELAGE_K_BUFFER_K - 1u];
   self.farthest_slot = PELAGE_K_BUFFER_K - 1u;
 }
 
+/// Fragments held, [0, K]. O(K).
 uint pelage_k_buffer_size(pelage_k_buffer self) {
   uint held = 0u;
   for (uint i = 0u; i < PELAGE_K_BUFFER_K; ++i) {
@@ -120,6 +107,7 @@ uint pelage_k_buffer_size(pelage_k_buffer self) {
   return held;
 }
 
+/// Finds the farthest slot anew, for whoever wrote to the slots. O(K).
 void pelage_k_buffer_find_farthest(inout pelage_k_buffer self) {
   self.farthest = self.slot[0];
   self.farthest_slot = 0u;

@@ -35,16 +35,6 @@ uint pelage_ordered_list_unlimited() {
 /// fragment and its link (2) to the acquire loads (1) and (4). On failure, relaxed, it takes nothing: the search goes
 /// on from the same place, the head or a node that is still before the fragment since none is ever removed, and (1)
 /// loads anew.
-pelage_fragment pelage_ordered_list_insert(uint list, pelage_fragment offered, uint limit);
-
-/// The first node of a list, or no_node(). (4) Acquire, pairs with (3). Wait-free.
-uint pelage_ordered_list_first(uint list);
-
-/// The node after a node, or no_node(). (4) Acquire, pairs with (3). Wait-free.
-uint pelage_ordered_list_next(uint node);
-
-// ---------------------------------------------------------------------------------------------------------
-
 pelage_fragment pelage_ordered_list_insert(uint list, pelage_fragment offered, uint limit) {
   if (!pelage_is_fragment(offered)) {
     pelage_atomic_list_storage_add_refused(pelage_memory_order_relaxed);
@@ -80,10 +70,12 @@ pelage_fragment pelage_ordered_list_insert(uint list, pelage_fragment offered, u
   }
 }
 
+/// The first node of a list, or no_node(). (4) Acquire, pairs with (3). Wait-free.
 uint pelage_ordered_list_first(uint list) {
   return pelage_atomic_list_storage_load_link(list, pelage_memory_order_acquire);  // (4)
 }
 
+/// The node after a node, or no_node(). (4) Acquire, pairs with (3). Wait-free.
 uint pelage_ordered_list_next(uint node) {
   return pelage_atomic_list_storage_load_link(pelage_link_of(node), pelage_memory_order_acquire);  // (4)
 }

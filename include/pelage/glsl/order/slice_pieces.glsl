@@ -9,9 +9,19 @@
 /// Where a segment lies among the depth slices of slice_sort, and the pieces that it falls into when it is cut at their
 /// planes, so that none crosses one. [Sintorn & Assarsson 2008]
 
+/// The slice that a position lies in, and for NaN the first.
+uint pelage_slice_sort_slice_at(float position, uint slices) {
+  const float last = float(slices - 1u);
+  return uint(position > 0.0 ? (position < last ? position : last) : 0.0);
+}
+
 /// The slice of a segment, [0, slices): that of its farther end. `first`, `second`: slice_position() of its ends,
 /// [0, slices]; the end of the last slice belongs to it. NaN counts as 0.
-uint pelage_slice_sort_slice_of(float first, float second, uint slices);
+uint pelage_slice_sort_slice_of(float first, float second, uint slices) {
+  const uint a = pelage_slice_sort_slice_at(first, slices);
+  const uint b = pelage_slice_sort_slice_at(second, slices);
+  return a > b ? a : b;
+}
 
 /// What a plane-cut leaves of a segment in one slice.
 struct pelage_slice_sort_piece {
@@ -21,16 +31,10 @@ struct pelage_slice_sort_piece {
 };
 
 /// The number of slices that a segment passes, [1, slices]. Parameters as slice_of().
-uint pelage_slice_sort_piece_count(float first, float second, uint slices);
-
-/// A segment's piece, `number` in [0, piece_count()), counted from its first end. Where one ends the next begins, at
-/// the same bits; the first begins at 0 and the last ends at 1.
-pelage_slice_sort_piece pelage_slice_sort_piece_at(float first, float second, uint slices, uint number);
-
-/// The slice that a position lies in, and for NaN the first.
-uint pelage_slice_sort_slice_at(float position, uint slices) {
-  const float last = float(slices - 1u);
-  return uint(position > 0.0 ? (position < last ? position : last) : 0.0);
+uint pelage_slice_sort_piece_count(float first, float second, uint slices) {
+  const uint a = pelage_slice_sort_slice_at(first, slices);
+  const uint b = pelage_slice_sort_slice_at(second, slices);
+  return (a > b ? a - b : b - a) + 1u;
 }
 
 /// Where on a segment, [0, 1], it leaves a slice for the next one along it.
@@ -39,20 +43,8 @@ precise float pelage_slice_sort_end_in_slice(float first, float second, uint sli
   return pelage_saturate((plane - first) / (second - first));
 }
 
-// ---------------------------------------------------------------------------------------------------------
-
-uint pelage_slice_sort_slice_of(float first, float second, uint slices) {
-  const uint a = pelage_slice_sort_slice_at(first, slices);
-  const uint b = pelage_slice_sort_slice_at(second, slices);
-  return a > b ? a : b;
-}
-
-uint pelage_slice_sort_piece_count(float first, float second, uint slices) {
-  const uint a = pelage_slice_sort_slice_at(first, slices);
-  const uint b = pelage_slice_sort_slice_at(second, slices);
-  return (a > b ? a - b : b - a) + 1u;
-}
-
+/// A segment's piece, `number` in [0, piece_count()), counted from its first end. Where one ends the next begins, at
+/// the same bits; the first begins at 0 and the last ends at 1.
 pelage_slice_sort_piece pelage_slice_sort_piece_at(float first, float second, uint slices, uint number) {
   const uint from = pelage_slice_sort_slice_at(first, slices);
   const uint to = pelage_slice_sort_slice_at(second, slices);

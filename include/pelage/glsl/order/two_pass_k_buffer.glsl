@@ -4,81 +4,77 @@
 
 #ifndef PELAGE_TWO_PASS_K_BUFFER_K
 #define PELAGE_TWO_PASS_K_BUFFER_K 16
-#elif !(PELAGE_TWO_PASS_K_BUFFER_K >= 1 && PELAGE_TWO_PASS_K_BUFFER_K <= 64)
+#endif
+#if !(PELAGE_TWO_PASS_K_BUFFER_K >= 1 && PELAGE_TWO_PASS_K_BUFFER_K <= 64)
 #error pelage::two_pass_k_buffer: K must be in [1, 64]
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
+#ifndef PELAGE_PREFIX
+uint[PELAGE_TWO_PASS_K_BUFFER_K] PELAGE_TWO_PASS_K_BUFFER_K_has_one_value_in_a_shader();
+#endif
+#if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL)
+#ifndef PELAGE_PREFIX
+#define PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL
+#endif
+
+#include "../core/atomic_cells.glsl"
+#include "../core/fragment.glsl"
+
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
 #define pelage_two_pass_k_buffer_at PELAGE_PASTE(PELAGE_PREFIX, _two_pass_k_buffer_at)
 #define pelage_two_pass_k_buffer_insert PELAGE_PASTE(PELAGE_PREFIX, _two_pass_k_buffer_insert)
 #define pelage_two_pass_k_buffer_offer_depth PELAGE_PASTE(PELAGE_PREFIX, _two_pass_k_buffer_offer_depth)
-#else
-uint[PELAGE_TWO_PASS_K_BUFFER_K] PELAGE_TWO_PASS_K_BUFFER_K_has_one_value_in_a_shader();
 #endif
-#if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL)
-
-#include "../core/fragment.glsl"
-#include "split_slot_storage.glsl"
 
 /// atomic_k_buffer for hardware without 64-bit atomics: the depths in a first pass, the ids in a second one.
 ///
 /// Keeps the same K fragments in the same order, ties by id included; hands back what falls out in the second pass.
 /// Each fragment is offered once in each pass. Between the passes, and between the second one and the first read, the
-/// caller joins its threads, or waits at a barrier that synchronises them. 8 K bytes a pixel. K in [1, 64].
+/// caller joins its threads, or waits at a barrier that synchronises them. 8 K bytes a pixel: cells
+/// [2 K · pixel, 2 K · (pixel + 1)), depth keys and then as many ids, all ones at first. K in [1, 64].
 ///
 /// The first pass is atomic_k_buffer's cascade on depth keys alone: it leaves the K smallest in order, equal ones with
 /// their multiplicity. Then the slots of one depth are a run, and the second pass is the same cascade of ids along
 /// that run: it leaves the run's smallest ids in order. Only a run that ends at slot K - 1 may have more fragments
 /// than slots; its larger ids fall out.
 
-/// First pass: offers a fragment's depth. What is_fragment() refuses is left out. `pixel`: [0, slot_count() / K).
+/// First pass: offers a fragment's depth. What is_fragment() refuses is left out. `pixel`: [0, size() / (2 K)).
 /// Wait-free where the minimum of the hardware is, else lock-free. O(K).
 ///
 /// (1) and (2) relaxed, as (1) and (3) of atomic_k_buffer.
-void pelage_two_pass_k_buffer_offer_depth(uint pixel, pelage_fragment offered);
+void pelage_two_pass_k_buffer_offer_depth(uint pixel, pelage_fragment offered) {
+  const uint first = pixel * 2u * PELAGE_TWO_PASS_K_BUFFER_K;
+  uint carried = pelage_is_fragment(offered) ? pelage_depth_key(offered.depth) : 0xffffffffu;
+  if (pelage_atomic_cells_load(first + PELAGE_TWO_PASS_K_BUFFER_K - 1u, pelage_memory_order_relaxed) <=
+      carried) {  // (1)
+    return;
+  }
+  for (uint i = 0u; i < PELAGE_TWO_PASS_K_BUFFER_K && carried != 0xffffffffu; ++i) {
+    const uint held = pelage_atomic_cells_fetch_min(first + i, carried, pelage_memory_order_relaxed);  // (2)
+    carried = max(held, carried);
+  }
+}
 
 /// Second pass: offers the fragment itself. Returns what fell out: one of equal depth with a larger id, itself, or
 /// no_fragment(). What is_fragment() refuses comes back as it is. Depths -0 come back as +0. `pixel` and progress as
 /// in the first pass. O(K).
 ///
 /// (3) relaxed: the barrier between the passes orders it after every (2). (4) relaxed: as (2), on ids.
-pelage_fragment pelage_two_pass_k_buffer_insert(uint pixel, pelage_fragment offered);
-
-/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with either
-/// pass: (5) is relaxed, the barrier orders it after every (4).
-pelage_fragment pelage_two_pass_k_buffer_at(uint pixel, uint i);
-
-// ---------------------------------------------------------------------------------------------------------
-
-void pelage_two_pass_k_buffer_offer_depth(uint pixel, pelage_fragment offered) {
-  const uint first = pixel * PELAGE_TWO_PASS_K_BUFFER_K;
-  uint carried = pelage_is_fragment(offered) ? pelage_depth_key(offered.depth) : 0xffffffffu;
-  if (pelage_atomic_split_slot_storage_load_depth(first + PELAGE_TWO_PASS_K_BUFFER_K - 1u,
-                                                  pelage_memory_order_relaxed) <= carried) {  // (1)
-    return;
-  }
-  for (uint i = 0u; i < PELAGE_TWO_PASS_K_BUFFER_K && carried != 0xffffffffu; ++i) {
-    const uint held =
-        pelage_atomic_split_slot_storage_min_depth(first + i, carried, pelage_memory_order_relaxed);  // (2)
-    carried = max(held, carried);
-  }
-}
-
 pelage_fragment pelage_two_pass_k_buffer_insert(uint pixel, pelage_fragment offered) {
   if (!pelage_is_fragment(offered)) {
     return offered;
   }
-  const uint first = pixel * PELAGE_TWO_PASS_K_BUFFER_K;
+  const uint first = pixel * 2u * PELAGE_TWO_PASS_K_BUFFER_K;
   const uint key = pelage_depth_key(offered.depth);
   uint carried = offered.id;
   for (uint i = 0u; i < PELAGE_TWO_PASS_K_BUFFER_K && carried != pelage_no_fragment().id; ++i) {
-    if (pelage_atomic_split_slot_storage_load_depth(first + i, pelage_memory_order_relaxed) == key) {  // (3)
-      const uint held =
-          pelage_atomic_split_slot_storage_min_id(first + i, carried, pelage_memory_order_relaxed);  // (4)
+    if (pelage_atomic_cells_load(first + i, pelage_memory_order_relaxed) == key) {  // (3)
+      const uint held = pelage_atomic_cells_fetch_min(first + PELAGE_TWO_PASS_K_BUFFER_K + i, carried,
+                                                      pelage_memory_order_relaxed);  // (4)
       carried = max(held, carried);
     }
   }
@@ -86,22 +82,20 @@ pelage_fragment pelage_two_pass_k_buffer_insert(uint pixel, pelage_fragment offe
                                             : pelage_no_fragment();
 }
 
+/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with either
+/// pass: (5) is relaxed, the barrier orders it after every (4).
 pelage_fragment pelage_two_pass_k_buffer_at(uint pixel, uint i) {
-  const uint slot = pixel * PELAGE_TWO_PASS_K_BUFFER_K + i;
-  const uint id = pelage_atomic_split_slot_storage_load_id(slot, pelage_memory_order_relaxed);  // (5)
+  const uint slot = pixel * 2u * PELAGE_TWO_PASS_K_BUFFER_K + i;
+  const uint id = pelage_atomic_cells_load(slot + PELAGE_TWO_PASS_K_BUFFER_K, pelage_memory_order_relaxed);  // (5)
   return id == pelage_no_fragment().id
              ? pelage_no_fragment()
-             : pelage_fragment(pelage_depth_from_key(
-                                   pelage_atomic_split_slot_storage_load_depth(slot, pelage_memory_order_relaxed)),
-                               id);
+             : pelage_fragment(pelage_depth_from_key(pelage_atomic_cells_load(slot, pelage_memory_order_relaxed)), id);
 }
 
 #ifdef PELAGE_PREFIX
 #undef pelage_two_pass_k_buffer_at
 #undef pelage_two_pass_k_buffer_insert
 #undef pelage_two_pass_k_buffer_offer_depth
-#else
-#define PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL
 #endif
 
 #endif

@@ -22,6 +22,16 @@ void pelage_span_vertex_storage_write_vertex(uint pelage_n, pelage_deep_shadow_v
   PELAGE_SPAN_VERTEX_STORAGE_VERTICES(pelage_n) = pelage_v;
 }
 
+/// A depth as the map knows it.
+precise float pelage_held_depth(float depth) {
+  const float magnitude = depth < 0.0 ? -depth : depth;
+  if (!(magnitude >= 7.88860905e-31)) {
+    return 0.0;
+  }
+  const float held = magnitude < 1.26765060e30 ? magnitude : 1.26765060e30;
+  return depth < 0.0 ? -held : held;
+}
+
 /// Turns the sorted fragments of a texel into its transmittance as a function of depth, in one pass: a line from
 /// vertex to vertex that is nowhere farther than a given error from the truth. [Lokovic & Veach 2000, §4.2]
 ///
@@ -47,39 +57,6 @@ struct pelage_deep_shadow_builder {
 };
 
 /// A builder for the vertices from `first` on. `max_error`: [0, 1]; below 1e-6, or NaN: the truth itself.
-precise pelage_deep_shadow_builder pelage_deep_shadow_builder_begin(uint first, float max_error);
-
-/// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: clamped to [0, 1].
-void pelage_deep_shadow_builder_add(precise inout pelage_deep_shadow_builder self, float depth, float alpha);
-
-/// Writes what is still open.
-void pelage_deep_shadow_builder_finish(inout pelage_deep_shadow_builder self);
-
-/// For add() and finish(): the line must pass `depth` within the tolerance of `truth`.
-void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder self, float depth, float truth);
-
-/// For pass() and finish(): ends the line at `last` with its middle slope.
-void pelage_deep_shadow_builder_end_line(precise inout pelage_deep_shadow_builder self);
-
-/// Writes a vertex and begins a line there.
-void pelage_deep_shadow_builder_begin_line(precise inout pelage_deep_shadow_builder self, pelage_deep_shadow_vertex at);
-
-/// The transmittance that `count` vertices from `first` on give at a depth, [0, 1]; 1 without vertices. Never rises
-/// with depth. NaN counts as 0. O(log count).
-precise float pelage_deep_shadow_at(uint first, uint count, float depth);
-
-/// A depth as the map knows it.
-precise float pelage_held_depth(float depth) {
-  const float magnitude = depth < 0.0 ? -depth : depth;
-  if (!(magnitude >= 7.88860905e-31)) {
-    return 0.0;
-  }
-  const float held = magnitude < 1.26765060e30 ? magnitude : 1.26765060e30;
-  return depth < 0.0 ? -held : held;
-}
-
-// ---------------------------------------------------------------------------------------------------------
-
 precise pelage_deep_shadow_builder pelage_deep_shadow_builder_begin(uint first, float max_error) {
   // Slopes, their product with a length and the look-up round to less than 1e-6 together.
   const float tolerance = pelage_saturate(max_error - 1e-6);
@@ -87,6 +64,11 @@ precise pelage_deep_shadow_builder pelage_deep_shadow_builder_begin(uint first, 
                                     0.0, 0.0);
 }
 
+void pelage_deep_shadow_builder_begin_line(precise inout pelage_deep_shadow_builder self, pelage_deep_shadow_vertex at);
+
+void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder self, float depth, float truth);
+
+/// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: clamped to [0, 1].
 void pelage_deep_shadow_builder_add(precise inout pelage_deep_shadow_builder self, float depth, float alpha) {
   if (depth != depth) {
     return;
@@ -104,6 +86,9 @@ void pelage_deep_shadow_builder_add(precise inout pelage_deep_shadow_builder sel
   self.transmittance = self.transmittance * (1.0 - pelage_saturate(alpha));
 }
 
+void pelage_deep_shadow_builder_end_line(precise inout pelage_deep_shadow_builder self);
+
+/// Writes what is still open.
 void pelage_deep_shadow_builder_finish(inout pelage_deep_shadow_builder self) {
   if (self.count == 0u) {
     return;
@@ -114,6 +99,7 @@ void pelage_deep_shadow_builder_finish(inout pelage_deep_shadow_builder self) {
   }
 }
 
+/// For add() and finish(): the line must pass `depth` within the tolerance of `truth`.
 void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder self, float depth, float truth) {
   const float least = pelage_saturate(truth - self.tolerance);
   const float most = pelage_saturate(truth + self.tolerance);
@@ -138,6 +124,7 @@ void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder se
   }
 }
 
+/// For pass() and finish(): ends the line at `last` with its middle slope.
 void pelage_deep_shadow_builder_end_line(precise inout pelage_deep_shadow_builder self) {
   const float slope = 0.5 * (self.least_slope + self.greatest_slope);
   const float end = self.from.transmittance + slope * (self.last - self.from.depth);
@@ -147,6 +134,7 @@ void pelage_deep_shadow_builder_end_line(precise inout pelage_deep_shadow_builde
       self, pelage_deep_shadow_vertex(self.last, held < self.from.transmittance ? held : self.from.transmittance));
 }
 
+/// Writes a vertex and begins a line there.
 void pelage_deep_shadow_builder_begin_line(precise inout pelage_deep_shadow_builder self,
                                            pelage_deep_shadow_vertex at) {
   pelage_span_vertex_storage_write_vertex(self.first + self.count, at);
@@ -159,6 +147,8 @@ void pelage_deep_shadow_builder_begin_line(precise inout pelage_deep_shadow_buil
   self.greatest_slope = 0.0;
 }
 
+/// The transmittance that `count` vertices from `first` on give at a depth, [0, 1]; 1 without vertices. Never rises
+/// with depth. NaN counts as 0. O(log count).
 precise float pelage_deep_shadow_at(uint first, uint count, float depth) {
   const float at = pelage_held_depth(depth);
   uint before = 0u;  // vertices known to lie before the depth

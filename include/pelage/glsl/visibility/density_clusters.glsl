@@ -29,6 +29,15 @@ uint[PELAGE_DENSITY_CLUSTERS_K] PELAGE_DENSITY_CLUSTERS_K_has_one_value_in_a_sha
 #include "../core/math.glsl"
 #include "layer_position.glsl"
 
+#ifndef PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL_ONCE
+
+/// Where in its bin a position lies, [0, 512].
+precise uint pelage_step_in_bin(float position, uint bin) {
+  return uint(pelage_saturate(position - float(bin)) * 512.0 + 0.5);
+}
+
+#endif
+
 const uint pelage_density_clusters_cells = 3u * PELAGE_DENSITY_CLUSTERS_K;  ///< a texel, for a cell_storage
 
 /// One texel's fragments as K clusters, each with its number, mean depth and variance. [Mertens et al. 2004, §3]
@@ -44,33 +53,6 @@ struct pelage_density_clusters {
 };
 
 /// A texel without fragments.
-pelage_density_clusters pelage_density_clusters_empty();
-
-/// Puts a fragment in. `position`: slice_position(relative depth, K), [0, K]. Not concurrent. O(1).
-void pelage_density_clusters_add(inout pelage_density_clusters self, float position);
-
-/// The estimate of how many fragments lie before a position, from 0 to their number. Never falls as the position
-/// grows; exact at the ends of bins. O(K).
-precise float pelage_density_clusters_count_before(pelage_density_clusters self, float position);
-
-/// Puts a fragment into a texel that many threads fill at once: cells [texel · 3 K, (texel + 1) · 3 K) of the storage,
-/// all 0 at first. Lock-free; memory orders: cell_storage.
-void pelage_add_to_density_clusters(uint texel, float position);
-
-/// A texel of such a storage. Not concurrent with add_to_density_clusters.
-pelage_density_clusters pelage_load_density_clusters(uint texel);
-
-#ifndef PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL_ONCE
-
-/// Where in its bin a position lies, [0, 512].
-precise uint pelage_step_in_bin(float position, uint bin) {
-  return uint(pelage_saturate(position - float(bin)) * 512.0 + 0.5);
-}
-
-#endif
-
-// ---------------------------------------------------------------------------------------------------------
-
 pelage_density_clusters pelage_density_clusters_empty() {
   pelage_density_clusters none;
   for (uint i = 0u; i < PELAGE_DENSITY_CLUSTERS_K; ++i) {
@@ -81,6 +63,7 @@ pelage_density_clusters pelage_density_clusters_empty() {
   return none;
 }
 
+/// Puts a fragment in. `position`: slice_position(relative depth, K), [0, K]. Not concurrent. O(1).
 void pelage_density_clusters_add(inout pelage_density_clusters self, float position) {
   const uint bin = pelage_layer_at(position, PELAGE_DENSITY_CLUSTERS_K);
   const uint place = pelage_step_in_bin(position, bin);
@@ -89,6 +72,8 @@ void pelage_density_clusters_add(inout pelage_density_clusters self, float posit
   self.squares[bin] = pelage_add_saturating(self.squares[bin], place * place);
 }
 
+/// The estimate of how many fragments lie before a position, from 0 to their number. Never falls as the position
+/// grows; exact at the ends of bins. O(K).
 precise float pelage_density_clusters_count_before(pelage_density_clusters self, float position) {
   float before = 0.0;
   for (uint i = 0u; i < PELAGE_DENSITY_CLUSTERS_K; ++i) {
@@ -107,6 +92,8 @@ precise float pelage_density_clusters_count_before(pelage_density_clusters self,
   return before;
 }
 
+/// Puts a fragment into a texel that many threads fill at once: cells [texel · 3 K, (texel + 1) · 3 K) of the storage,
+/// all 0 at first. Lock-free; memory orders: cell_storage.
 void pelage_add_to_density_clusters(uint texel, float position) {
   const uint bin = pelage_layer_at(position, PELAGE_DENSITY_CLUSTERS_K);
   const uint place = pelage_step_in_bin(position, bin);
@@ -116,14 +103,15 @@ void pelage_add_to_density_clusters(uint texel, float position) {
   pelage_add_to_cell(first + 2u * PELAGE_DENSITY_CLUSTERS_K, place * place);
 }
 
+/// A texel of such a storage. Not concurrent with add_to_density_clusters.
 pelage_density_clusters pelage_load_density_clusters(uint texel) {
   pelage_density_clusters clusters = pelage_density_clusters_empty();
   for (uint i = 0u; i < PELAGE_DENSITY_CLUSTERS_K; ++i) {
     clusters.count[i] =
-        pelage_atomic_cell_storage_load(texel * 3u * PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
-    clusters.sum[i] = pelage_atomic_cell_storage_load(
-        texel * 3u * PELAGE_DENSITY_CLUSTERS_K + PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
-    clusters.squares[i] = pelage_atomic_cell_storage_load(
+        pelage_atomic_cells_load(texel * 3u * PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
+    clusters.sum[i] = pelage_atomic_cells_load(texel * 3u * PELAGE_DENSITY_CLUSTERS_K + PELAGE_DENSITY_CLUSTERS_K + i,
+                                               pelage_memory_order_relaxed);
+    clusters.squares[i] = pelage_atomic_cells_load(
         texel * 3u * PELAGE_DENSITY_CLUSTERS_K + 2u * PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
   }
   return clusters;

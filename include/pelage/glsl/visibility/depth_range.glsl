@@ -8,55 +8,26 @@
 #include "../core/fragment.glsl"
 #include "../core/math.glsl"
 
+/// True for depths that a range takes in.
+bool pelage_is_finite_depth(float depth) {
+  return (floatBitsToUint(depth) & 0x7fffffffu) < 0x7f800000u;
+}
+
 /// The nearest and the farthest depth of a texel's fragments: where the slices of its maps begin and end. 8 bytes.
 ///
-/// Holds keys (see depth_key), so that minimum and maximum are those of integers.
-/// Depends on the set of depths alone. What an opaque object hides is not to be taken in: the caller's depth limit
-/// cuts fibres before this.
+/// Holds keys (see depth_key), so that minimum and maximum are those of integers. Depends on the set of depths alone.
+/// What an opaque object hides is not to be taken in: the caller's depth limit cuts fibres before this.
 struct pelage_depth_range {
   uint nearest;   ///< key of the least depth; all ones while empty
   uint farthest;  ///< key of the greatest depth; 0 while empty
 };
 
 /// A range that holds no depth.
-pelage_depth_range pelage_depth_range_empty();
-
-/// Takes in a depth; NaN and infinite depths change nothing. O(1).
-void pelage_depth_range_extend(inout pelage_depth_range self, float depth);
-
-/// Takes in another range. Associative and commutative, empty() is the identity.
-void pelage_depth_range_merge(inout pelage_depth_range self, pelage_depth_range other);
-
-bool pelage_depth_range_is_empty(pelage_depth_range self);
-
-/// The least depth, finite; 0 while empty.
-float pelage_depth_range_nearest_depth(pelage_depth_range self);
-
-/// The greatest depth, finite; 0 while empty.
-float pelage_depth_range_farthest_depth(pelage_depth_range self);
-
-/// Where a depth lies in the range: exactly 0 up to the nearest, exactly 1 from the farthest on, linear between;
-/// never falls as depth grows. A range of one point: 0 up to and at it, 1 behind. An empty range, or NaN: 0.
-precise float pelage_depth_range_relative(pelage_depth_range self, float depth);
-
-/// Takes a depth into the range of a texel that many threads extend at once: cells 2 · texel and 2 · texel + 1, at
-/// first those of depth_range::empty(). NaN and infinite depths change nothing. Lock-free; memory orders: cell_storage.
-void pelage_extend_depth_range(uint texel, float depth);
-
-/// The range of a texel. Not concurrent with extend_depth_range.
-pelage_depth_range pelage_load_depth_range(uint texel);
-
-/// True for depths that a range takes in.
-bool pelage_is_finite_depth(float depth) {
-  return (floatBitsToUint(depth) & 0x7fffffffu) < 0x7f800000u;
-}
-
-// ---------------------------------------------------------------------------------------------------------
-
 pelage_depth_range pelage_depth_range_empty() {
   return pelage_depth_range(0xffffffffu, 0u);
 }
 
+/// Takes in a depth; NaN and infinite depths change nothing. O(1).
 void pelage_depth_range_extend(inout pelage_depth_range self, float depth) {
   if (pelage_is_finite_depth(depth)) {
     const uint key = pelage_depth_key(depth);
@@ -65,6 +36,7 @@ void pelage_depth_range_extend(inout pelage_depth_range self, float depth) {
   }
 }
 
+/// Takes in another range. Associative and commutative, empty() is the identity.
 void pelage_depth_range_merge(inout pelage_depth_range self, pelage_depth_range other) {
   self.nearest = other.nearest < self.nearest ? other.nearest : self.nearest;
   self.farthest = other.farthest > self.farthest ? other.farthest : self.farthest;
@@ -74,14 +46,18 @@ bool pelage_depth_range_is_empty(pelage_depth_range self) {
   return self.nearest > self.farthest;
 }
 
+/// The least depth, finite; 0 while empty.
 float pelage_depth_range_nearest_depth(pelage_depth_range self) {
   return pelage_depth_range_is_empty(self) ? 0.0 : pelage_depth_from_key(self.nearest);
 }
 
+/// The greatest depth, finite; 0 while empty.
 float pelage_depth_range_farthest_depth(pelage_depth_range self) {
   return pelage_depth_range_is_empty(self) ? 0.0 : pelage_depth_from_key(self.farthest);
 }
 
+/// Where a depth lies in the range: exactly 0 up to the nearest, exactly 1 from the farthest on, linear between;
+/// never falls as depth grows. A range of one point: 0 up to and at it, 1 behind. An empty range, or NaN: 0.
 precise float pelage_depth_range_relative(pelage_depth_range self, float depth) {
   const float from = pelage_depth_range_nearest_depth(self);
   const float to = pelage_depth_range_farthest_depth(self);
@@ -95,17 +71,21 @@ precise float pelage_depth_range_relative(pelage_depth_range self, float depth) 
   return pelage_saturate((0.125 * depth - 0.125 * from) / (0.125 * to - 0.125 * from));
 }
 
+/// Takes a depth into the range of a texel that many threads extend at once: cells 2 · texel, the complement of the
+/// nearest key, and 2 · texel + 1, both 0 at first. NaN and infinite depths change nothing. Lock-free; memory orders:
+/// cell_storage.
 void pelage_extend_depth_range(uint texel, float depth) {
   if (pelage_is_finite_depth(depth)) {
     const uint key = pelage_depth_key(depth);
-    pelage_lower_cell(2u * texel, key);
+    pelage_raise_cell(2u * texel, ~key);
     pelage_raise_cell(2u * texel + 1u, key);
   }
 }
 
+/// The range of a texel. Not concurrent with extend_depth_range.
 pelage_depth_range pelage_load_depth_range(uint texel) {
-  return pelage_depth_range(pelage_atomic_cell_storage_load(2u * texel, pelage_memory_order_relaxed),
-                            pelage_atomic_cell_storage_load(2u * texel + 1u, pelage_memory_order_relaxed));
+  return pelage_depth_range(~pelage_atomic_cells_load(2u * texel, pelage_memory_order_relaxed),
+                            pelage_atomic_cells_load(2u * texel + 1u, pelage_memory_order_relaxed));
 }
 
 #endif

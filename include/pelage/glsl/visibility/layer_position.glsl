@@ -8,27 +8,15 @@
 /// functions here give positions in [0, layers] that never fall as depth grows, whole exactly at a layer's end, and
 /// the same for a fragment that is put in and for a look-up. NaN gives 0.
 
-/// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: depth_range::relative, [0, 1].
-precise float pelage_slice_position(float relative, uint slices);
-
-/// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
-/// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
-/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
-/// divides by no more) at 0.
-float pelage_equal_layer_position(float offset, float width, uint layers);
-
-/// The same with widths that grow linearly: width, 2 width, 3 width, ... [Yuksel & Keyser 2008, §4]
-precise float pelage_growing_layer_position(float offset, float width, uint layers);
-
-/// The first layer's width for linearly growing layers that together are `extent` long. `layers`: [1, 65535].
-precise float pelage_growing_layer_width(float extent, uint layers);
-
-/// The layer that a position lies in, [0, layers): the position's end belongs to the last. `position`: [0, layers].
-uint pelage_layer_at(float position, uint layers);
-
 /// x clamped to [0, high]; NaN gives 0.
 float pelage_held_position(float x, float high) {
   return x > 0.0 ? (x < high ? x : high) : 0.0;
+}
+
+/// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: depth_range::relative, [0, 1].
+precise float pelage_slice_position(float relative, uint slices) {
+  const float end = float(slices);
+  return pelage_held_position(relative * end, end);
 }
 
 /// How many widths long an offset is.
@@ -36,17 +24,15 @@ precise float pelage_offset_in_widths(float offset, float width) {
   return width <= 8.50705917e37 ? offset / width : 0.0;
 }
 
-// ---------------------------------------------------------------------------------------------------------
-
-precise float pelage_slice_position(float relative, uint slices) {
-  const float end = float(slices);
-  return pelage_held_position(relative * end, end);
-}
-
+/// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
+/// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
+/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
+/// divides by no more) at 0.
 float pelage_equal_layer_position(float offset, float width, uint layers) {
   return pelage_held_position(pelage_offset_in_widths(offset, width), float(layers));
 }
 
+/// The same with widths that grow linearly: width, 2 width, 3 width, ... [Yuksel & Keyser 2008, §4]
 precise float pelage_growing_layer_position(float offset, float width, uint layers) {
   const float end = float(layers);
   // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is clamped to 0.
@@ -56,11 +42,13 @@ precise float pelage_growing_layer_position(float offset, float width, uint laye
   return pelage_held_position(layer + pelage_held_position(inside, 1.0), end);
 }
 
+/// The first layer's width for linearly growing layers that together are `extent` long. `layers`: [1, 65535].
 precise float pelage_growing_layer_width(float extent, uint layers) {
   const float count = float(layers);
   return extent / (0.5 * count * (count + 1.0));
 }
 
+/// The layer that a position lies in, [0, layers): the position's end belongs to the last. `position`: [0, layers].
 uint pelage_layer_at(float position, uint layers) {
   const uint layer = uint(position);
   return layer < layers ? layer : layers - 1u;

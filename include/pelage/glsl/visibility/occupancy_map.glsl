@@ -11,6 +11,9 @@
 #elif !(PELAGE_OCCUPANCY_MAP_SLICES % 32 == 0 && PELAGE_OCCUPANCY_MAP_SLICES > 0)
 #error pelage::occupancy_map: Slices must be a multiple of 32
 #endif
+#if !(PELAGE_OCCUPANCY_MAP_SLABS <= 32)
+#error pelage::occupancy_map: at most 32 Slabs, whose sums' ends are bits of one cell
+#endif
 #if !(PELAGE_OCCUPANCY_MAP_SLABS > 0 && PELAGE_OCCUPANCY_MAP_SLICES % PELAGE_OCCUPANCY_MAP_SLABS == 0)
 #error pelage::occupancy_map: all Slabs must have as many slices
 #elif !(PELAGE_OCCUPANCY_MAP_SLICES / PELAGE_OCCUPANCY_MAP_SLABS % 32 == 0 || \
@@ -44,10 +47,19 @@ uint[PELAGE_OCCUPANCY_MAP_SLICES] PELAGE_OCCUPANCY_MAP_SLICES_has_one_value_in_a
 #include "../core/math.glsl"
 #include "layer_position.glsl"
 
+#ifndef PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL_ONCE
+
+/// The bits below bit n; all for n >= 32.
+uint pelage_bits_below(uint n) {
+  return n < 32u ? (1u << n) - 1u : 0xffffffffu;
+}
+
+#endif
+
 const uint pelage_occupancy_map_words = PELAGE_OCCUPANCY_MAP_SLICES / 32u;  ///< of slice bits a texel
 
 const uint pelage_occupancy_map_cells =
-    pelage_occupancy_map_words + PELAGE_OCCUPANCY_MAP_SLABS;  ///< a texel, for a cell_storage
+    pelage_occupancy_map_words + PELAGE_OCCUPANCY_MAP_SLABS + 1u;  ///< a texel, for a cell_storage
 
 const uint pelage_occupancy_map_slab_slices =
     PELAGE_OCCUPANCY_MAP_SLICES / PELAGE_OCCUPANCY_MAP_SLABS;  ///< slices a slab
@@ -66,42 +78,6 @@ struct pelage_occupancy_map {
 };
 
 /// A texel without fragments.
-pelage_occupancy_map pelage_occupancy_map_empty();
-
-/// Puts a fragment in. `position`: slice_position(relative depth, Slices), [0, Slices]. `added`: 1 to count
-/// fragments. Not concurrent (see add_to_occupancy_map). O(1).
-void pelage_occupancy_map_add(inout pelage_occupancy_map self, float position, uint added);
-
-/// Puts another map of the same depth range in. Associative and commutative, empty() is the identity.
-void pelage_occupancy_map_merge(inout pelage_occupancy_map self, pelage_occupancy_map other);
-
-/// The sum of all slabs.
-uint pelage_occupancy_map_total(pelage_occupancy_map self);
-
-/// The estimate of what lies before a position, [0, total()]; with counted fragments the position's place in their
-/// order. The slabs before it count whole, its own slab by the share of its set slices that lie before, the slice
-/// itself linearly. [Sintorn & Assarsson 2009, §3.2] Never falls as the position grows; exact at the ends of slabs
-/// (sums from 2²⁴ on by a float's own precision); 0 at 0 and total() at Slices. O(Slices / Slabs / 32 + Slabs).
-precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, float position);
-
-/// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
-/// the storage, all 0 at first, for M = occupancy_map<Slices, Slabs>. Lock-free; memory orders: cell_storage.
-void pelage_add_to_occupancy_map(uint texel, float position, uint added);
-
-/// A texel of such a storage. Not concurrent with add_to_occupancy_map.
-pelage_occupancy_map pelage_load_occupancy_map(uint texel);
-
-#ifndef PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL_ONCE
-
-/// The bits below bit n; all for n >= 32.
-uint pelage_bits_below(uint n) {
-  return n < 32u ? (1u << n) - 1u : 0xffffffffu;
-}
-
-#endif
-
-// ---------------------------------------------------------------------------------------------------------
-
 pelage_occupancy_map pelage_occupancy_map_empty() {
   pelage_occupancy_map map;
   for (uint i = 0u; i < pelage_occupancy_map_words; ++i) {
@@ -113,6 +89,8 @@ pelage_occupancy_map pelage_occupancy_map_empty() {
   return map;
 }
 
+/// Puts a fragment in. `position`: slice_position(relative depth, Slices), [0, Slices]. `added`: 1 to count
+/// fragments. Not concurrent (see add_to_occupancy_map). O(1).
 void pelage_occupancy_map_add(inout pelage_occupancy_map self, float position, uint added) {
   const uint slice = pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES);
   const uint word = self.occupied[slice / 32u];
@@ -121,6 +99,7 @@ void pelage_occupancy_map_add(inout pelage_occupancy_map self, float position, u
       pelage_add_saturating(self.amount[slice / pelage_occupancy_map_slab_slices], added);
 }
 
+/// Puts another map of the same depth range in. Associative and commutative, empty() is the identity.
 void pelage_occupancy_map_merge(inout pelage_occupancy_map self, pelage_occupancy_map other) {
   for (uint i = 0u; i < pelage_occupancy_map_words; ++i) {
     self.occupied[i] = self.occupied[i] | other.occupied[i];
@@ -130,6 +109,7 @@ void pelage_occupancy_map_merge(inout pelage_occupancy_map self, pelage_occupanc
   }
 }
 
+/// The sum of all slabs.
 uint pelage_occupancy_map_total(pelage_occupancy_map self) {
   uint sum = 0u;
   for (uint i = 0u; i < PELAGE_OCCUPANCY_MAP_SLABS; ++i) {
@@ -138,6 +118,10 @@ uint pelage_occupancy_map_total(pelage_occupancy_map self) {
   return sum;
 }
 
+/// The estimate of what lies before a position, [0, total()]; with counted fragments the position's place in their
+/// order. The slabs before it count whole, its own slab by the share of its set slices that lie before, the slice
+/// itself linearly. [Sintorn & Assarsson 2009, §3.2] Never falls as the position grows; exact at the ends of slabs
+/// (sums from 2²⁴ on by a float's own precision); 0 at 0 and total() at Slices. O(Slices / Slabs / 32 + Slabs).
 precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, float position) {
   const uint slice = pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES);
   const uint slab = slice / pelage_occupancy_map_slab_slices;
@@ -166,22 +150,28 @@ precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, floa
   return sum < most ? sum : most;
 }
 
+/// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
+/// the storage, all 0 at first, for M = occupancy_map<Slices, Slabs>; the last holds the ends of the sums
+/// (add_and_mark). Wait-free where the hardware has the changes; memory orders: cell_storage.
 void pelage_add_to_occupancy_map(uint texel, float position, uint added) {
   const uint slice = pelage_layer_at(position, pelage_occupancy_map_words * 32u);
   const uint first = texel * pelage_occupancy_map_cells;
   pelage_set_bits(first + slice / 32u, 1u << (slice % 32u));
-  pelage_add_to_cell(first + pelage_occupancy_map_words + slice / pelage_occupancy_map_slab_slices, added);
+  const uint slab = slice / pelage_occupancy_map_slab_slices;
+  pelage_add_and_mark(first + pelage_occupancy_map_words + slab, added, first + pelage_occupancy_map_cells - 1u,
+                      1u << slab);
 }
 
+/// A texel of such a storage. Not concurrent with add_to_occupancy_map.
 pelage_occupancy_map pelage_load_occupancy_map(uint texel) {
   const uint first = texel * pelage_occupancy_map_cells;
   pelage_occupancy_map map = pelage_occupancy_map_empty();
   for (uint i = 0u; i < pelage_occupancy_map_words; ++i) {
-    map.occupied[i] = pelage_atomic_cell_storage_load(first + i, pelage_memory_order_relaxed);
+    map.occupied[i] = pelage_atomic_cells_load(first + i, pelage_memory_order_relaxed);
   }
-  for (uint i = 0u; i < pelage_occupancy_map_cells - pelage_occupancy_map_words; ++i) {
+  for (uint i = 0u; i < pelage_occupancy_map_cells - pelage_occupancy_map_words - 1u; ++i) {
     map.amount[i] =
-        pelage_atomic_cell_storage_load(first + pelage_occupancy_map_words + i, pelage_memory_order_relaxed);
+        pelage_load_marked(first + pelage_occupancy_map_words + i, first + pelage_occupancy_map_cells - 1u, 1u << i);
   }
   return map;
 }

@@ -44,37 +44,6 @@ struct pelage_opacity_map {
 };
 
 /// A texel without fragments.
-pelage_opacity_map pelage_opacity_map_empty();
-
-/// Puts a fragment in. `position`: [0, Layers], see layer_position.hpp. Not concurrent (see add_to_opacity_map).
-void pelage_opacity_map_add(inout pelage_opacity_map self, float position, uint added);
-
-/// Puts another map with the same layers in. Associative and commutative, empty() is the identity.
-void pelage_opacity_map_merge(inout pelage_opacity_map self, pelage_opacity_map other);
-
-/// The sum of all layers, before accumulate().
-uint pelage_opacity_map_total(pelage_opacity_map self);
-
-/// The estimate of what lies before a position, [0, total()]: each layer weighs as much of itself as lies before,
-/// by one formula without a branch [Svoboda §1.3.3]. Never falls as the position grows; exact at the ends of layers
-/// (sums from 2²⁴ on by a float's own precision). Where total() stops it goes on beyond. O(Layers).
-precise float pelage_opacity_map_amount_before(pelage_opacity_map self, float position);
-
-/// Replaces each sum by that of its layer and all before it, for accumulated_before(). Once, when all is in.
-void pelage_opacity_map_accumulate(inout pelage_opacity_map self);
-
-/// amount_before() of a map after accumulate(), up to rounding: two sums and a line between them. O(1).
-precise float pelage_opacity_map_accumulated_before(pelage_opacity_map self, float position);
-
-/// Puts a fragment into a texel that many threads fill at once: cells [texel · Layers, (texel + 1) · Layers) of the
-/// storage, all 0 at first. Lock-free; memory orders: cell_storage.
-void pelage_add_to_opacity_map(uint texel, float position, uint added);
-
-/// A texel of such a storage. Not concurrent with add_to_opacity_map.
-pelage_opacity_map pelage_load_opacity_map(uint texel);
-
-// ---------------------------------------------------------------------------------------------------------
-
 pelage_opacity_map pelage_opacity_map_empty() {
   pelage_opacity_map map;
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
@@ -83,17 +52,20 @@ pelage_opacity_map pelage_opacity_map_empty() {
   return map;
 }
 
+/// Puts a fragment in. `position`: [0, Layers], see layer_position.hpp. Not concurrent (see add_to_opacity_map).
 void pelage_opacity_map_add(inout pelage_opacity_map self, float position, uint added) {
   const uint layer = pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS);
   self.amount[layer] = pelage_add_saturating(self.amount[layer], added);
 }
 
+/// Puts another map with the same layers in. Associative and commutative, empty() is the identity.
 void pelage_opacity_map_merge(inout pelage_opacity_map self, pelage_opacity_map other) {
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
     self.amount[i] = pelage_add_saturating(self.amount[i], other.amount[i]);
   }
 }
 
+/// The sum of all layers, before accumulate().
 uint pelage_opacity_map_total(pelage_opacity_map self) {
   uint sum = 0u;
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
@@ -102,6 +74,9 @@ uint pelage_opacity_map_total(pelage_opacity_map self) {
   return sum;
 }
 
+/// The estimate of what lies before a position, [0, total()]: each layer weighs as much of itself as lies before,
+/// by one formula without a branch [Svoboda §1.3.3]. Never falls as the position grows; exact at the ends of layers
+/// (sums from 2²⁴ on by a float's own precision). Where total() stops it goes on beyond. O(Layers).
 precise float pelage_opacity_map_amount_before(pelage_opacity_map self, float position) {
   float sum = 0.0;
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
@@ -110,12 +85,14 @@ precise float pelage_opacity_map_amount_before(pelage_opacity_map self, float po
   return sum;
 }
 
+/// Replaces each sum by that of its layer and all before it, for accumulated_before(). Once, when all is in.
 void pelage_opacity_map_accumulate(inout pelage_opacity_map self) {
   for (uint i = 1u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
     self.amount[i] = pelage_add_saturating(self.amount[i], self.amount[i - 1u]);
   }
 }
 
+/// amount_before() of a map after accumulate(), up to rounding: two sums and a line between them. O(1).
 precise float pelage_opacity_map_accumulated_before(pelage_opacity_map self, float position) {
   const uint layer = pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS);
   const uint before = layer > 0u ? self.amount[layer - 1u] : 0u;
@@ -125,14 +102,17 @@ precise float pelage_opacity_map_accumulated_before(pelage_opacity_map self, flo
   return sum < most ? sum : most;
 }
 
+/// Puts a fragment into a texel that many threads fill at once: cells [texel · Layers, (texel + 1) · Layers) of the
+/// storage, all 0 at first. Lock-free; memory orders: cell_storage.
 void pelage_add_to_opacity_map(uint texel, float position, uint added) {
   pelage_add_to_cell(texel * PELAGE_OPACITY_MAP_LAYERS + pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS), added);
 }
 
+/// A texel of such a storage. Not concurrent with add_to_opacity_map.
 pelage_opacity_map pelage_load_opacity_map(uint texel) {
   pelage_opacity_map map = pelage_opacity_map_empty();
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
-    map.amount[i] = pelage_atomic_cell_storage_load(texel * PELAGE_OPACITY_MAP_LAYERS + i, pelage_memory_order_relaxed);
+    map.amount[i] = pelage_atomic_cells_load(texel * PELAGE_OPACITY_MAP_LAYERS + i, pelage_memory_order_relaxed);
   }
   return map;
 }
