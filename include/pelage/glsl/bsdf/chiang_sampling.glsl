@@ -13,10 +13,10 @@
 /// The BSDF itself and its density, as a path tracer wants them.
 struct pelage_chiang_bsdf {
   vec3 f;         ///< scattering per steradian, divided by |w_i.z|
-  float density;  ///< of sample_chiang() drawing w_i, per steradian
+  float density;  ///< of pelage_sample_chiang() drawing w_i, per steradian
 };
 
-/// A direction drawn for a light, with what evaluate_chiang() says of it.
+/// A direction drawn for a light, with what pelage_evaluate_chiang() says of it.
 struct pelage_chiang_sample {
   vec3 direction;               ///< unit length within 3e-7 in float
   pelage_chiang_result result;  ///< value/density is the sample's weight; density 0 only where the fibre is black
@@ -28,7 +28,7 @@ struct pelage_chiang_sample {
 precise pelage_chiang_bsdf pelage_evaluate_chiang_bsdf(pelage_chiang_fibre fibre, float h, vec3 w_o, vec3 w_i);
 
 /// Draws a direction from four numbers in [0, 1): lobe by its weight, then M's two and N's one. The density is that of
-/// chiang_density(), all lobes together, so a weight stays below about 3 however rough the fibre is.
+/// pelage_chiang_density(), all lobes together, so a weight stays below about 3 however rough the fibre is.
 /// [Chiang 2016; d'Eon 2013]
 precise pelage_chiang_sample pelage_sample_chiang(pelage_chiang_fibre fibre, pelage_chiang_view view, float u[4]);
 

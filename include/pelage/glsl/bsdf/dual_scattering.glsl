@@ -13,7 +13,7 @@
 /// Everything is in shares of light per steradian, e: what one fibre, or the hair behind it, sends from inclination
 /// θ_i to (θ_r, φ), with ∫ e dω = the share that is scattered at all. For Chiang's model e is f |cos|, for Marschner's
 /// ½ S cos θ_r, since its M counts θ_r in halves. φ is the azimuth between light and eye, 0 back to the light, ±π
-/// straight on. The averages come from any fibre model: dual_scattering_table.hpp.
+/// straight on. The averages come from any fibre model: dual_scattering_table.glsl.
 ///
 /// Where the paper is constant over a half circle of azimuths, 1/π here and 0 there, these are linear in |φ|: the same
 /// share of light and no edge. 1/π is in e and not left to the caller.
@@ -68,7 +68,7 @@ pelage_dual_global pelage_dual_unshadowed() {
 precise pelage_dual_global pelage_dual_global_scattering(pelage_dual_averages averages, pelage_dual_density density,
                                                          float count, float direct);
 
-/// One fibre more on a traced path, each with its own averages: start from dual_unshadowed(). [Zinke 2008 Eq. 5]
+/// One fibre more on a traced path, each with its own averages: start from pelage_dual_unshadowed(). [Zinke 2008 Eq. 5]
 /// After it no light is direct.
 precise pelage_dual_global pelage_dual_pass_fibre(pelage_dual_global before, pelage_dual_averages averages,
                                                   pelage_dual_density density);

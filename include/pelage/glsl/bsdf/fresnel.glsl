@@ -8,8 +8,8 @@
 #include "../core/elementary.glsl"
 #include "../core/math.glsl"
 
-/// The share of unpolarised light that a smooth dielectric surface reflects, [0, 1]: dielectric_interface() for a
-/// cosine of any sign, clamped to [0, 1]. NaN gives 1.
+/// The share of unpolarised light that a smooth dielectric surface reflects, [0, 1]: pelage_dielectric_interface() for
+/// a cosine of any sign, clamped to [0, 1]. NaN gives 1.
 float pelage_fresnel_dielectric(float cos_theta, float eta) {
   return pelage_dielectric_interface(pelage_saturate(pelage_absolute(cos_theta)), eta).reflected;
 }

@@ -47,7 +47,7 @@ precise float pelage_albedo_fit(float beta_n) {
 /// scattering in a head of hair of azimuthal roughness β_n in [0, 1]. One fibre alone is brighter. [Chiang 2016 §4.2]
 precise float pelage_absorption_from_albedo(float colour, float beta_n);
 
-/// The albedo of a mass of such fibres: the inverse of absorption_from_albedo.
+/// The albedo of a mass of such fibres: the inverse of pelage_absorption_from_albedo.
 precise float pelage_albedo_from_absorption(float sigma_a, float beta_n) {
   return pelage_exponential(0.0 - pelage_safe_sqrt(sigma_a) * pelage_albedo_fit(beta_n));
 }
@@ -62,7 +62,8 @@ precise float pelage_longitudinal_variance(float beta_m);
 precise float pelage_azimuthal_scale(float beta_n);
 
 /// The roughness β_m whose lobe has the standard deviation `width` in radians, (0, 0.9]: the inverse of
-/// longitudinal_variance, for widths measured as in Marschner's model. Outside the range: the nearer end's roughness.
+/// pelage_longitudinal_variance, for widths measured as in Marschner's model. Outside the range: the nearer end's
+/// roughness.
 precise float pelage_roughness_of_width(float width);
 
 // ---------------------------------------------------------------------------------------------------------

@@ -22,21 +22,23 @@ struct pelage_highlight_shape {
 };
 
 /// The diffuse reflectance of a fibre whose albedo is `kd`: kd/π², to be multiplied by sin(t, l) as the lobe of
-/// kajiya_kay() is. A fibre shows its width to the eye as sin(t, e), and ∫ sin(t, e) dω over the sphere is π², so that
-/// it sends out kd of the light that meets it, where the bare kd of Kajiya & Kay 1989, Eq. 14 sends π² times as much.
+/// pelage_kajiya_kay() is. A fibre shows its width to the eye as sin(t, e), and ∫ sin(t, e) dω over the sphere is π²,
+/// so that it sends out kd of the light that meets it, where the bare kd of Kajiya & Kay 1989, Eq. 14 sends π² times as
+/// much.
 precise float pelage_normalised_fibre_diffuse(float kd) {
   return kd * 0.101321184;
 }
 
 /// Both highlights: cosᵖ(θ_i + θ_r - shift) with the inclinations of light and eye, 0 beyond 90°. The shifts are those
 /// of R and TRT in Marschner 2003, Table 1 and the widths those of two powers, after Scheuermann 2004; Kajiya & Kay's
-/// own highlight is a shift of 0. `tangent`, `to_light`, `to_eye` as for kajiya_kay(); the tangent points to the tip.
+/// own highlight is a shift of 0. `tangent`, `to_light`, `to_eye` as for pelage_kajiya_kay(); the tangent points to the
+/// tip.
 pelage_double_highlight pelage_kajiya_kay_double(vec3 tangent, vec3 to_light, vec3 to_eye,
                                                  pelage_highlight_shape primary, pelage_highlight_shape secondary);
 
 /// A tangent moved along the strand's normal, by which Scheuermann 2004 shifts a highlight in a texture's steps:
-/// normalise(t + shift n), for use in kajiya_kay(). The highlight turns by about 2 atan(shift) about a normal that
-/// faces light and eye. A zero sum gives the tangent.
+/// normalise(t + shift n), for use in pelage_kajiya_kay(). The highlight turns by about 2 atan(shift) about a normal
+/// that faces light and eye. A zero sum gives the tangent.
 precise vec3 pelage_shifted_tangent(vec3 tangent, vec3 normal, float shift);
 
 /// cosᵖ of the sum of two inclinations less the shift.

@@ -29,7 +29,7 @@ uint[PELAGE_MEAN_PASSAGE_PANELS] PELAGE_MEAN_PASSAGE_PANELS_has_one_value_in_a_s
 /// It is the TT lobe's A_1 = (1 - F)² T of the BSDF itself, so that a path that takes a fibre for a filter and one that
 /// scatters in it agree: averaged over the width it is the integral of the TT lobe over all directions. Light that R,
 /// TRT and the residual lobe take out of the path is what those lobes scatter. The lobe's spread is the one thing that
-/// the straight path leaves out. Along the axis with σ_a = 0 it is fibre_attenuation().
+/// the straight path leaves out. Along the axis with σ_a = 0 it is pelage_fibre_attenuation().
 
 #ifndef PELAGE_BSDF_PASSAGE_GLSL_ONCE
 
@@ -38,8 +38,8 @@ precise float[3] pelage_axial_passage(float eta, float sigma_a[3], float sin_the
 
 #endif
 
-/// A_1 averaged over the width, ½ ∫ A_1(h) dh, by the rule of evaluate_chiang_far(). For η in [1, 3], any absorption
-/// and inclination, 2 panels are within 7.5e-3, 4 within 2e-3 and 8 within 5e-4.
+/// A_1 averaged over the width, ½ ∫ A_1(h) dh, by the rule of pelage_evaluate_chiang_far(). For η in [1, 3], any
+/// absorption and inclination, 2 panels are within 7.5e-3, 4 within 2e-3 and 8 within 5e-4.
 precise float[3] pelage_mean_passage(float eta, float sigma_a[3], float sin_theta);
 
 // ---------------------------------------------------------------------------------------------------------

@@ -7,20 +7,20 @@
 #include "tail.glsl"
 #include "../core/atomic_cells.glsl"
 
-/// A tail (composite/tail.hpp) a pixel, to which many threads add at once: for what falls out of an atomic_k_buffer.
+/// A tail (composite/tail.glsl) a pixel, to which many threads add at once: for what falls out of an atomic_k_buffer.
 ///
 /// Holds the same five sums, bit for bit, whatever the interleaving: atomic additions that mark where they pass the end
-/// of the range (add_and_mark) suffice where tail's own need a saturating one. 24 bytes a pixel: cells
-/// [pixel · tail_words(), (pixel + 1) · tail_words()), all 0 at first.
+/// of the range (pelage_add_and_mark) suffice where tail's own need a saturating one. 24 bytes a pixel: cells
+/// [pixel · pelage_tail_words(), (pixel + 1) · pelage_tail_words()), all 0 at first.
 
 /// The words of a pixel in atomic_tail: the five sums of a tail, and one bit a sum that went beyond 2^32.
 uint pelage_tail_words() {
   return 6u;
 }
 
-/// Adds one fragment's tail, as add_fragment(empty_tail(), alpha, colour) makes it. `pixel`: [0, size() / 6).
-/// Wait-free where the hardware adds atomically; O(1): at most 6 atomics, none for a sum that gains nothing. Memory
-/// orders: (1) and (2) of add_and_mark().
+/// Adds one fragment's tail, as pelage_add_fragment(pelage_empty_tail(), alpha, colour) makes it. `pixel`: [0, size() /
+/// 6). Wait-free where the hardware adds atomically; O(1): at most 6 atomics, none for a sum that gains nothing. Memory
+/// orders: (1) and (2) of pelage_add_and_mark().
 void pelage_atomic_tail_add(uint pixel, pelage_tail one) {
   const uint first = pixel * pelage_tail_words();
   pelage_add_and_mark(first, one.optical, first + 5u, 1u);
@@ -30,7 +30,7 @@ void pelage_atomic_tail_add(uint pixel, pelage_tail one) {
   pelage_add_and_mark(first + 4u, one.blue, first + 5u, 16u);
 }
 
-/// The tail that merge() gives for all that was added. Not concurrent with add: (3) of load_marked().
+/// The tail that pelage_merge() gives for all that was added. Not concurrent with add: (3) of pelage_load_marked().
 pelage_tail pelage_atomic_tail_load(uint pixel) {
   const uint first = pixel * pelage_tail_words();
   return pelage_tail(pelage_load_marked(first, first + 5u, 1u), pelage_load_marked(first + 1u, first + 5u, 2u),

@@ -7,11 +7,11 @@
 #include "../core/fragment.glsl"
 
 /// One layer of a pixel at a time, without memory for more: the reference that the approximations are compared with.
-/// [Everitt 2001] Each pass offers all fragments in any order; then advance() and begin the next, until layer() is
-/// none. n + 1 passes for n fragments. Ties in depth go to the smaller id, none is lost: what the original loses at
-/// equal depth, the total order keeps apart. 20 bytes.
+/// [Everitt 2001] Each pass offers all fragments in any order; then pelage_depth_peeling_advance() and begin the next,
+/// until pelage_depth_peeling_layer() is none. n + 1 passes for n fragments. Ties in depth go to the smaller id, none
+/// is lost: what the original loses at equal depth, the total order keeps apart. 20 bytes.
 struct pelage_depth_peeling {
-  pelage_fragment last;     ///< the layer before this pass's; no_fragment() in the first
+  pelage_fragment last;     ///< the layer before this pass's; pelage_no_fragment() in the first
   pelage_fragment nearest;  ///< of those behind it so far
   bool began;               ///< a layer has been peeled
 };
@@ -21,7 +21,7 @@ pelage_depth_peeling pelage_depth_peeling_begin() {
   return pelage_depth_peeling(pelage_no_fragment(), pelage_no_fragment(), false);
 }
 
-/// Offers a fragment to this pass. What is_fragment() refuses changes nothing. O(1).
+/// Offers a fragment to this pass. What pelage_is_fragment() refuses changes nothing. O(1).
 void pelage_depth_peeling_offer(inout pelage_depth_peeling self, pelage_fragment offered) {
   if (pelage_is_fragment(offered) && (!self.began || pelage_before(self.last, offered)) &&
       pelage_before(offered, self.nearest)) {
@@ -29,7 +29,7 @@ void pelage_depth_peeling_offer(inout pelage_depth_peeling self, pelage_fragment
   }
 }
 
-/// The layer that the pass found, or no_fragment().
+/// The layer that the pass found, or pelage_no_fragment().
 pelage_fragment pelage_depth_peeling_layer(pelage_depth_peeling self) {
   return self.nearest;
 }
@@ -57,9 +57,9 @@ pelage_dual_depth_peeling pelage_dual_depth_peeling_begin() {
                                    pelage_no_fragment(), false);
 }
 
-/// Offers a fragment to this pass. What is_fragment() refuses changes nothing. O(1).
+/// Offers a fragment to this pass. What pelage_is_fragment() refuses changes nothing. O(1).
 void pelage_dual_depth_peeling_offer(inout pelage_dual_depth_peeling self, pelage_fragment offered) {
-  // no_fragment() lies behind every fragment, so that before the first back none is too far.
+  // pelage_no_fragment() lies behind every fragment, so that before the first back none is too far.
   if (!pelage_is_fragment(offered) || (self.began && !pelage_before(self.front_last, offered)) ||
       !pelage_before(offered, self.back_last)) {
     return;
@@ -72,12 +72,12 @@ void pelage_dual_depth_peeling_offer(inout pelage_dual_depth_peeling self, pelag
   }
 }
 
-/// The front that the pass found, or no_fragment().
+/// The front that the pass found, or pelage_no_fragment().
 pelage_fragment pelage_dual_depth_peeling_front(pelage_dual_depth_peeling self) {
   return self.nearest;
 }
 
-/// The back that the pass found, or no_fragment() when there is none or it is the front.
+/// The back that the pass found, or pelage_no_fragment() when there is none or it is the front.
 pelage_fragment pelage_dual_depth_peeling_back(pelage_dual_depth_peeling self) {
   return pelage_same(self.nearest, self.farthest) ? pelage_no_fragment() : self.farthest;
 }

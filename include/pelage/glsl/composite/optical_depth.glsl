@@ -5,43 +5,41 @@
 #define PELAGE_COMPOSITE_OPTICAL_DEPTH_GLSL
 
 #include "../core/math.glsl"
+#include "../core/real_number.glsl"
 
 /// Transmittances multiply; their logarithms add; and integers add to the same sum in any order. An optical depth
 /// here is -log₂ of a transmittance in units of 2⁻²⁰, unsigned 32-bit.
 ///
 /// Range [0, 4096) octaves. One fragment counts at most 32 octaves (an opaque one). Sums saturate at the end of the
 /// range, which is still the same in any order, and read as 0, as does every sum above 126 octaves. Each fragment
-/// rounds by at most 2⁻²¹ octaves, a relative error of 3.4e-7 in the product; fast_log2 adds its own, 1e-7 octaves
-/// or 1e-7 of them. `alpha`: clamped to [0, 1]; NaN counts as 0.
+/// rounds by at most 2⁻²¹ octaves, a relative error of 3.4e-7 in the product; pelage_fast_log2 adds its own, 1e-7
+/// octaves or 1e-7 of them. `alpha`: clamped to [0, 1]; NaN counts as 0.
 precise uint pelage_optical_depth(float alpha);
 
 /// x in units of 2⁻²⁰, rounded to the nearest; 0 for negative and NaN, the greatest number from 4096 on.
 precise uint pelage_to_fixed(float x);
 
 /// The transmittance of a sum, [0, 1]; exactly 1 for 0. Relative error below 1e-7 · (1 + octaves / 2).
-precise float pelage_transmittance_of(uint optical);
+precise float pelage_transmittance_of(uint optical) {
+  return pelage_fast_exp2(-float(optical) * (1.0 / 1048576.0));
+}
 
 // ---------------------------------------------------------------------------------------------------------
 
 precise uint pelage_optical_depth(float alpha) {
-  const float octaves = -pelage_fast_log2(1.0 - pelage_saturate(alpha));
-  return pelage_to_fixed(octaves < 32.0 ? octaves : 32.0);
+  const float octaves = 0.0 - pelage_fast_log2(1.0 - pelage_saturate(alpha));
+  return pelage_to_fixed(pelage_select(octaves < 32.0, octaves, 32.0));
 }
 
 precise uint pelage_to_fixed(float x) {
-  if (!(x > 0.0)) {
-    return 0u;
-  }
-  if (x >= 4096.0) {
-    return 0xffffffffu;
+  const float positive = pelage_select(x > 0.0, x, 0.0);
+  if (pelage_holds_for_all(positive < 8.0)) {
+    return pelage_to_natural(positive * 1048576.0 + 0.5);
   }
   // From 2²³ units on a float is a whole number, and adding a half would round to even.
-  const float units = x * 1048576.0;
-  return uint(units < 8388608.0 ? units + 0.5 : units);
-}
-
-precise float pelage_transmittance_of(uint optical) {
-  return pelage_fast_exp2(-float(optical) * (1.0 / 1048576.0));
+  const float units = pelage_select(positive < 4096.0, positive, 0.0) * 1048576.0;
+  const float rounded = pelage_select(positive < 8.0, units + 0.5, units);
+  return pelage_select(positive < 4096.0, pelage_to_natural(rounded), 0xffffffffu);
 }
 
 #endif

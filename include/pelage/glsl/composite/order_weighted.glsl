@@ -7,9 +7,9 @@
 #include "../core/math.glsl"
 
 /// Blending by an estimated order, without sorting: a fragment weighs (1 - α)ᵒ α, with o the number of fragments that
-/// an occupancy_map or opacity_map estimates before it. [Sintorn & Assarsson 2009, §3.4] Add with add_weighted(),
-/// resolve() scales the sum by Λ = 1 - Π(1 - α), which for equal alphas is the paper's 1 - (1 - α)ⁿ. Exact (except
-/// for rounding) where all alphas are equal and all orders right.
+/// an pelage_occupancy_map or pelage_opacity_map estimates before it. [Sintorn & Assarsson 2009, §3.4] Add with
+/// pelage_add_weighted(), pelage_resolve() scales the sum by Λ = 1 - Π(1 - α), which for equal alphas is the paper's 1
+/// - (1 - α)ⁿ. Exact (except for rounding) where all alphas are equal and all orders right.
 
 /// The weight of a fragment behind `order` others of its own alpha, [0, 1]. `order`: [0, inf). `alpha`: clamped to
 /// [0, 1]; where it is 1 only order 0 weighs anything. NaN gives 0 or NaN.
@@ -21,8 +21,8 @@ precise float pelage_order_weight(float alpha, float order) {
   return held * pelage_fast_exp2(order * pelage_fast_log2(1.0 - held));
 }
 
-/// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum optical_depth(alpha), and so
-/// know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
+/// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum pelage_optical_depth(alpha),
+/// and so know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
 precise float pelage_optical_weight(float alpha, float optical) {
   return pelage_saturate(alpha) * pelage_fast_exp2(-optical * (1.0 / 1048576.0));
 }

@@ -20,7 +20,7 @@ pelage_pixel_radiance pelage_empty_pixel() {
 }
 
 /// The pixel with one more fibre behind the others. `scattered` L: what the fibre sends to the eye, linear RGB.
-/// `attenuation` A and `coverage` C as in transmittance(). O(1).
+/// `attenuation` A and `coverage` C as in pelage_transmittance(). O(1).
 precise pelage_pixel_radiance pelage_add_fibre(pelage_pixel_radiance pixel, vec3 scattered, vec3 attenuation,
                                                float coverage);
 

@@ -45,8 +45,8 @@ precise bool pelage_takes_sample(uint id, float alpha, uint stream, uint number)
 ///
 /// Which samples a fragment takes depends on the seed, the pixel, its id and the sample's number alone, so that the
 /// state depends on the set of fragments alone, bit for bit, in every frame. For the alpha-corrected colour (§3.3)
-/// weigh each fragment in a second pass by alpha times transmittance_before(its depth) with add_weighted().
-/// 4 · Samples bytes.
+/// weigh each fragment in a second pass by alpha times pelage_stochastic_depths_transmittance_before(its depth) with
+/// pelage_add_weighted(). 4 · Samples bytes.
 struct pelage_stochastic_depths {
   uint nearest[PELAGE_STOCHASTIC_DEPTHS_SAMPLES];  ///< key of the nearest depth in each sample; all ones: none
 };
@@ -60,8 +60,8 @@ pelage_stochastic_depths pelage_stochastic_depths_empty() {
   return none;
 }
 
-/// Adds a fragment; what is_fragment() refuses changes nothing. `alpha`: [0, 1]; 0 takes no sample, 1 takes all.
-/// `stream`: stochastic_stream() of the pixel. Not concurrent. O(Samples).
+/// Adds a fragment; what pelage_is_fragment() refuses changes nothing. `alpha`: [0, 1]; 0 takes no sample, 1 takes all.
+/// `stream`: pelage_stochastic_stream() of the pixel. Not concurrent. O(Samples).
 void pelage_stochastic_depths_add(inout pelage_stochastic_depths self, pelage_fragment f, float alpha, uint stream) {
   if (!pelage_is_fragment(f)) {
     return;
@@ -107,7 +107,7 @@ void pelage_add_to_stochastic_depths(uint pixel, pelage_fragment f, float alpha,
   }
 }
 
-/// A pixel of such a storage. Not concurrent with add_to_stochastic_depths.
+/// A pixel of such a storage. Not concurrent with pelage_add_to_stochastic_depths.
 pelage_stochastic_depths pelage_load_stochastic_depths(uint pixel) {
   pelage_stochastic_depths depths = pelage_stochastic_depths_empty();
   for (uint i = 0u; i < PELAGE_STOCHASTIC_DEPTHS_SAMPLES; ++i) {

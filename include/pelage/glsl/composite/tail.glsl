@@ -15,7 +15,7 @@
 /// product above 8 by the float's own last bit); each saturates by itself, which needs 4096 opaque white fragments in
 /// one pixel.
 struct pelage_tail {
-  uint optical;  ///< Σ optical_depth(alpha)
+  uint optical;  ///< Σ pelage_optical_depth(alpha)
   uint weight;   ///< Σ alpha
   uint red;      ///< Σ alpha · red; green and blue in the same way
   uint green;
@@ -23,28 +23,31 @@ struct pelage_tail {
 };
 
 /// A tail that holds nothing: transmittance 1.
-pelage_tail pelage_empty_tail();
+pelage_tail pelage_empty_tail() {
+  return pelage_tail(0u, 0u, 0u, 0u, 0u);
+}
 
 /// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB,
 /// [0, inf]; alpha · colour is clamped to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
 precise pelage_tail pelage_add_fragment(pelage_tail t, float alpha, vec3 colour);
 
-/// Both tails in one. Associative and commutative, empty_tail() is the identity.
-pelage_tail pelage_merge(pelage_tail a, pelage_tail b);
+/// Both tails in one. Associative and commutative, pelage_empty_tail() is the identity.
+pelage_tail pelage_merge(pelage_tail a, pelage_tail b) {
+  return pelage_tail(pelage_add_saturating(a.optical, b.optical), pelage_add_saturating(a.weight, b.weight),
+                     pelage_add_saturating(a.red, b.red), pelage_add_saturating(a.green, b.green),
+                     pelage_add_saturating(a.blue, b.blue));
+}
 
 /// The light that passes the whole tail, [0, 1].
-float pelage_transmittance_of(pelage_tail t);
+float pelage_transmittance_of(pelage_tail t) {
+  return pelage_transmittance_of(t.optical);
+}
 
-/// The mean colour of the tail's fragments, weighted by alpha; black when it is empty, or when
-/// no alpha in it reaches 2⁻²¹. What the tail adds to a pixel
-/// is this times 1 - transmittance_of(t).
+/// The mean colour of the tail's fragments, weighted by alpha; black when it is empty, or when no alpha in it reaches
+/// 2⁻²¹. What the tail adds to a pixel is this times 1 - pelage_transmittance_of(t).
 precise vec3 pelage_mean_colour(pelage_tail t);
 
 // ---------------------------------------------------------------------------------------------------------
-
-pelage_tail pelage_empty_tail() {
-  return pelage_tail(0u, 0u, 0u, 0u, 0u);
-}
 
 precise pelage_tail pelage_add_fragment(pelage_tail t, float alpha, vec3 colour) {
   const float held = pelage_saturate(alpha);
@@ -52,16 +55,6 @@ precise pelage_tail pelage_add_fragment(pelage_tail t, float alpha, vec3 colour)
       pelage_tail(pelage_optical_depth(held), pelage_to_fixed(held), pelage_to_fixed(held * colour.x),
                   pelage_to_fixed(held * colour.y), pelage_to_fixed(held * colour.z));
   return pelage_merge(t, one);
-}
-
-pelage_tail pelage_merge(pelage_tail a, pelage_tail b) {
-  return pelage_tail(pelage_add_saturating(a.optical, b.optical), pelage_add_saturating(a.weight, b.weight),
-                     pelage_add_saturating(a.red, b.red), pelage_add_saturating(a.green, b.green),
-                     pelage_add_saturating(a.blue, b.blue));
-}
-
-float pelage_transmittance_of(pelage_tail t) {
-  return pelage_transmittance_of(t.optical);
 }
 
 precise vec3 pelage_mean_colour(pelage_tail t) {

@@ -13,7 +13,7 @@
 /// the product of transmittances, which is never less than the truth. Integer sums: any order of fragments gives the
 /// same bits. 24 bytes.
 struct pelage_weighted_average {
-  pelage_tail sums;  ///< as add_fragment() leaves it
+  pelage_tail sums;  ///< as pelage_add_fragment() leaves it
   uint count;        ///< fragments, stops at 2³² - 1
 };
 
@@ -22,13 +22,13 @@ pelage_weighted_average pelage_weighted_average_empty() {
   return pelage_weighted_average(pelage_empty_tail(), 0u);
 }
 
-/// Adds a fragment. Parameters as add_fragment() of a tail.
+/// Adds a fragment. Parameters as pelage_add_fragment() of a tail.
 void pelage_weighted_average_add(inout pelage_weighted_average self, float alpha, vec3 colour) {
   self.sums = pelage_add_fragment(self.sums, alpha, colour);
   self.count = pelage_add_saturating(self.count, 1u);
 }
 
-/// Adds another pixel's part. Associative and commutative, empty() is the identity.
+/// Adds another pixel's part. Associative and commutative, pelage_weighted_average_empty() is the identity.
 void pelage_weighted_average_merge(inout pelage_weighted_average self, pelage_weighted_average other) {
   self.sums = pelage_merge(self.sums, other.sums);
   self.count = pelage_add_saturating(self.count, other.count);

@@ -7,12 +7,12 @@
 #include "../core/math.glsl"
 
 /// Weighted, blended order-independent transparency [McGuire & Bavoil 2013]: a fragment weighs by its depth alone, by
-/// no estimate of what lies before it. Add with add_weighted(), resolve() as there.
+/// no estimate of what lies before it. Add with pelage_add_weighted(), pelage_resolve() as there.
 
 /// The weight of a fragment, [3.3e-6, 1] times alpha: α max(10⁻², 3·10³ (1 - z)³) [McGuire & Bavoil 2013, Eq. 10]
 /// over 3·10³, so that fixed-point sums hold it; the mean does not see the scale. `relative` z: the depth in
-/// [0, 1], 0 nearest, best depth_range::relative of the pixel, whose nearest fragment then weighs α; over a range of
-/// the whole scene, far pixels lose precision, 2⁻²¹ a fragment. NaN counts as 0.
+/// [0, 1], 0 nearest, best pelage_depth_range_relative of the pixel, whose nearest fragment then weighs α; over a range
+/// of the whole scene, far pixels lose precision, 2⁻²¹ a fragment. NaN counts as 0.
 precise float pelage_depth_weight(float alpha, float relative) {
   const float left = 1.0 - pelage_saturate(relative);
   const float weight = left * left * left;

@@ -81,9 +81,9 @@ void pelage_add_to_cell(uint cell, uint amount) {
 }
 
 /// Adds to a cell modulo 2³² and sets `bit` in the cell `ends` if that passes the end of the range: what
-/// add_to_cell() does, for hardware that adds, at the price of a bit a sum. A sum modulo 2³² passes its end once for
-/// every 2³² of the true sum, in whichever order the parts come; so whether one of the additions (1) saw it pass and
-/// set the bit (2) says whether the sum saturates.
+/// pelage_add_to_cell() does, for hardware that adds, at the price of a bit a sum. A sum modulo 2³² passes its end once
+/// for every 2³² of the true sum, in whichever order the parts come; so whether one of the additions (1) saw it pass
+/// and set the bit (2) says whether the sum saturates.
 void pelage_add_and_mark(uint cell, uint amount, uint ends, uint bit) {
   if (amount != 0u) {
     const uint held = pelage_atomic_cells_fetch_add(cell, amount, pelage_memory_order_relaxed);  // (1)
@@ -93,7 +93,7 @@ void pelage_add_and_mark(uint cell, uint amount, uint ends, uint bit) {
   }
 }
 
-/// What add_and_mark() left in a cell, saturated. Not concurrent with it: (3) is read behind the barrier.
+/// What pelage_add_and_mark() left in a cell, saturated. Not concurrent with it: (3) is read behind the barrier.
 uint pelage_load_marked(uint cell, uint ends, uint bit) {
   const bool passed = (pelage_atomic_cells_load(ends, pelage_memory_order_relaxed) & bit) != 0u;  // (3)
   return passed ? 0xffffffffu : pelage_atomic_cells_load(cell, pelage_memory_order_relaxed);      // (3)

@@ -11,9 +11,12 @@
 /// polynomials, the same bits on every machine that rounds as IEEE 754 asks; wider types use std::.
 ///
 /// Nothing here branches on data in float, so that a type that packs many floats runs through the same text: see
-/// core/real_number.hpp; core/lanes.hpp supplies the functions marked "packed types overload".
+/// core/real_number.glsl; core/lanes.hpp supplies the functions marked "packed types overload".
+
 /// x without its fraction, towards 0, for |x| < 2³¹. Packed types overload.
-float pelage_whole_part(float x);
+float pelage_whole_part(float x) {
+  return float(int(x));
+}
 
 /// A number's whole part, and the power of two that has it for its exponent's bits.
 struct pelage_exponent_parts {
@@ -21,16 +24,22 @@ struct pelage_exponent_parts {
   float power;  ///< 2^(e - 127); 0 for e = 0, +inf for e = 255
 };
 
-/// The parts of an argument in [0, 256). Packed types overload.
+/// The parts of an argument in [0, 256).
 pelage_exponent_parts pelage_split_exponent(float biased);
 
 /// |x|, and 0 for -0.
-precise float pelage_absolute(float x);
+precise float pelage_absolute(float x) {
+  return pelage_select(x > 0.0, x, 0.0 - x);
+}
 
 /// The lesser and the greater of two; b if either is NaN, in shaders too.
-float pelage_least(float a, float b);
+float pelage_least(float a, float b) {
+  return pelage_select(a < b, a, b);
+}
 
-float pelage_greatest(float a, float b);
+float pelage_greatest(float a, float b) {
+  return pelage_select(a > b, a, b);
+}
 
 /// eˣ - 1 for |x| ≤ 0.35, relative error below 1.5e-7 in float. Outside: garbage in float.
 precise float pelage_small_exponential(float x);
@@ -45,7 +54,7 @@ precise float pelage_one_minus_exponential(float x);
 /// ln x for normal x > 0, within 1.1e-7 · max(1, |ln x|) in float. In float zero, denormals and negatives give -87.3.
 precise float pelage_natural_logarithm(float x);
 
-/// xʸ for a base in [0, 1] and an exponent in [0, inf): power_of_cosine() in float.
+/// xʸ for a base in [0, 1] and an exponent in [0, inf): pelage_power_of_cosine() in float.
 float pelage_power_of_share(float x, float y);
 
 /// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
@@ -70,32 +79,20 @@ struct pelage_rotation {
 precise pelage_rotation pelage_rotation_by(float x);
 
 /// The rotation by the sum of two angles.
-precise pelage_rotation pelage_turned_by(pelage_rotation a, pelage_rotation b);
+precise pelage_rotation pelage_turned_by(pelage_rotation a, pelage_rotation b) {
+  return pelage_rotation(a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine);
+}
 
 /// The rotation by a's angle less b's.
-precise pelage_rotation pelage_turned_back(pelage_rotation a, pelage_rotation b);
+precise pelage_rotation pelage_turned_back(pelage_rotation a, pelage_rotation b) {
+  return pelage_rotation(a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine);
+}
 
 // ---------------------------------------------------------------------------------------------------------
 
-float pelage_whole_part(float x) {
-  return float(int(x));
-}
-
 pelage_exponent_parts pelage_split_exponent(float biased) {
-  const uint e = uint(biased);
-  return pelage_exponent_parts(float(e), uintBitsToFloat(e << 23u));
-}
-
-precise float pelage_absolute(float x) {
-  return pelage_select(x > 0.0, x, 0.0 - x);
-}
-
-float pelage_least(float a, float b) {
-  return pelage_select(a < b, a, b);
-}
-
-float pelage_greatest(float a, float b) {
-  return pelage_select(a > b, a, b);
+  const int e = pelage_to_integer(biased);
+  return pelage_exponent_parts(pelage_to_float(e), pelage_float_of_bits(e << 23));
 }
 
 precise float pelage_small_exponential(float x) {
@@ -173,14 +170,6 @@ precise pelage_rotation pelage_rotation_by(float x) {
   const float turned_cosine = pelage_select(quarter > 1.5, 0.0 - swapped_cosine, swapped_cosine);
   const float turned_sine = pelage_select(quarter > 1.5, 0.0 - swapped_sine, swapped_sine);
   return pelage_rotation(turned_cosine, pelage_select(x < 0.0, 0.0 - turned_sine, turned_sine));
-}
-
-precise pelage_rotation pelage_turned_by(pelage_rotation a, pelage_rotation b) {
-  return pelage_rotation(a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine);
-}
-
-precise pelage_rotation pelage_turned_back(pelage_rotation a, pelage_rotation b) {
-  return pelage_rotation(a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine);
 }
 
 #endif

@@ -19,10 +19,10 @@ pelage_fragment pelage_no_fragment() {
   return pelage_fragment(uintBitsToFloat(0x7f800000u), 0xffffffffu);
 }
 
-/// False for what every structure refuses: a NaN depth, or the id of no_fragment().
+/// False for what every structure refuses: a NaN depth, or the id of pelage_no_fragment().
 bool pelage_is_fragment(pelage_fragment f);
 
-/// The total order: true if `a` is nearer than `b`, or as near with the smaller id. It compares depth_key(), not
+/// The total order: true if `a` is nearer than `b`, or as near with the smaller id. It compares pelage_depth_key(), not
 /// floats: denormals count on machines that flush them, too, and a NaN lies beyond the infinity of its sign.
 bool pelage_before(pelage_fragment a, pelage_fragment b);
 
@@ -35,7 +35,7 @@ bool pelage_same(pelage_fragment a, pelage_fragment b) {
   return pelage_depth_key(a.depth) == pelage_depth_key(b.depth) && a.id == b.id;
 }
 
-/// The depth whose key this is; the inverse of depth_key except for the sign of zero.
+/// The depth whose key this is; the inverse of pelage_depth_key except for the sign of zero.
 float pelage_depth_from_key(uint key);
 
 // ---------------------------------------------------------------------------------------------------------

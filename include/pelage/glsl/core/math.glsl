@@ -7,14 +7,20 @@
 #include "real_number.glsl"
 
 /// x².
-precise float pelage_sqr(float x);
+precise float pelage_sqr(float x) {
+  return x * x;
+}
 
 /// √x, and 0 where x is negative or NaN: the guard for 1 - sin² that rounding made negative. Denormals, which a GPU
 /// may flush, count as 0.
-precise float pelage_safe_sqrt(float x);
+precise float pelage_safe_sqrt(float x) {
+  return x >= 1.1754944e-38 ? sqrt(x) : 0.0;
+}
 
 /// x clamped to [0, 1]; NaN gives 0.
-float pelage_saturate(float x);
+float pelage_saturate(float x) {
+  return pelage_select(x > 0.0, pelage_select(x < 1.0, x, 1.0), 0.0);
+}
 
 /// The sum of two, clamped to 2³² - 1. Associative and commutative.
 uint pelage_add_saturating(uint a, uint b);
@@ -24,6 +30,7 @@ uint pelage_add_saturating(uint a, uint b);
 precise float pelage_fast_log2(float x);
 
 /// 2ˣ from + − × alone, relative error below 1e-7 for x in [-126, 128). Below: 0. From 128 on: +inf. NaN gives NaN.
+/// pelage_fast_log2() and this are constant expressions where x and the result are finite.
 precise float pelage_fast_exp2(float x);
 
 /// xʸ for a base in [0, 1] and an exponent in [0, inf), as a highlight's lobe needs it: 0⁰ is 1, 0ʸ is 0. Relative
@@ -33,37 +40,18 @@ precise float pelage_power_of_cosine(float x, float y);
 
 // ---------------------------------------------------------------------------------------------------------
 
-precise float pelage_sqr(float x) {
-  return x * x;
-}
-
-precise float pelage_safe_sqrt(float x) {
-  return x >= 1.1754944e-38 ? sqrt(x) : 0.0;
-}
-
-float pelage_saturate(float x) {
-  return pelage_select(x > 0.0, pelage_select(x < 1.0, x, 1.0), 0.0);
-}
-
 uint pelage_add_saturating(uint a, uint b) {
   const uint room = 0xffffffffu - a;
-  return a + (b < room ? b : room);
+  return a + pelage_select(b < room, b, room);
 }
 
 precise float pelage_fast_log2(float x) {
-  if (x != x) {
-    return x;
-  }
-  if (x < 1.17549435e-38) {
-    return -126.0;
-  }
-  if (x > 3.40282347e38) {
-    return 128.0;
-  }
-  // x = m 2^e with m in [√½, √2), so that the polynomial is exact at 1 and has no seam there.
-  const uint bits = floatBitsToUint(x) - 0x3f3504f3u;
-  const int exponent = (int(bits) >> 23);
-  const float t = uintBitsToFloat((bits & 0x007fffffu) + 0x3f3504f3u) - 1.0;
+  const float finite = pelage_select(x > 3.40282347e38, 3.40282347e38, x);
+  const float normal = pelage_select(finite < 1.17549435e-38, 1.17549435e-38, finite);
+  // normal = m 2^e with m in [√½, √2), so that the polynomial is exact at 1 and has no seam there.
+  const int bits = pelage_bits_of(normal) - 0x3f3504f3;
+  const float exponent = pelage_to_float(bits >> 23) + (normal - normal);  // of a NaN, NaN
+  const float t = pelage_float_of_bits((bits & 0x007fffff) + 0x3f3504f3) - 1.0;
   float p = 0.12583537;
   p = p * t - 0.207268941;
   p = p * t + 0.215715846;
@@ -73,21 +61,14 @@ precise float pelage_fast_log2(float x) {
   p = p * t + 0.480910643;
   p = p * t - 0.721347347;
   p = p * t + 1.442695;
-  return float(exponent) + p * t;
+  return exponent + p * t;
 }
 
 precise float pelage_fast_exp2(float x) {
-  if (x != x) {
-    return x;
-  }
-  if (x < -126.0) {
-    return 0.0;
-  }
-  if (x >= 128.0) {
-    return uintBitsToFloat(0x7f800000u);
-  }
-  const int whole = int(x + 126.5) - 126;
-  const float t = x - float(whole);
+  const float capped = pelage_select(x > 128.0, 128.0, x);
+  const float clamped = pelage_select(capped < -126.0, -254.0, capped);  // -254 gives 0, 128 infinity
+  const int whole = pelage_to_integer(pelage_select(clamped > -254.0, clamped, -254.0) + 126.5) - 126;
+  const float t = clamped - pelage_to_float(whole);
   float p = 0.000154697305;
   p = p * t + 0.00133908669;
   p = p * t + 0.00961803079;
@@ -96,20 +77,19 @@ precise float pelage_fast_exp2(float x) {
   p = p * t + 0.693147188;
   p = p * t + 1.0;
   // 2^whole in two factors: 2^128 alone would overflow where the result does not.
-  const int part = whole / 2;
-  const float first = uintBitsToFloat(uint(part + 127) << 23u);
-  const float second = uintBitsToFloat(uint(whole - part + 127) << 23u);
+  const int part = whole >> 1;
+  const float first = pelage_float_of_bits((part + 127) << 23);
+  const float second = pelage_float_of_bits((whole - part + 127) << 23);
   return p * first * second;
 }
 
 precise float pelage_power_of_cosine(float x, float y) {
-  if (y < 1.17549435e-38) {
-    return 1.0;
+  const float least_normal = 1.17549435e-38;
+  float power = 0.0;
+  if (pelage_holds_for_any(x >= least_normal)) {
+    power = pelage_select(x >= least_normal, pelage_fast_exp2(y * pelage_fast_log2(x)), power);
   }
-  if (!(x >= 1.17549435e-38)) {
-    return 0.0;
-  }
-  return pelage_fast_exp2(y * pelage_fast_log2(x));
+  return pelage_select(y < least_normal, 1.0, power);
 }
 
 #endif

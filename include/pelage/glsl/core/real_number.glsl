@@ -5,22 +5,15 @@
 #define PELAGE_CORE_REAL_NUMBER_GLSL
 
 /// a where the condition holds, else b. Both are evaluated.
-float pelage_select(bool condition, float a, float b);
-
-/// True if a condition holds for any number of a pack, or for all. Lets a formula leave out a part that none needs.
-bool pelage_holds_for_any(bool condition);
-
-bool pelage_holds_for_all(bool condition);
-
-/// √x; a negative x or NaN gives NaN.
-precise float pelage_square_root(float x);
-
-// ---------------------------------------------------------------------------------------------------------
-
 float pelage_select(bool condition, float a, float b) {
   return condition ? a : b;
 }
 
+uint pelage_select(bool condition, uint a, uint b) {
+  return condition ? a : b;
+}
+
+/// True if a condition holds for any number of a pack, or for all. Lets a formula leave out a part that none needs.
 bool pelage_holds_for_any(bool condition) {
   return condition;
 }
@@ -29,8 +22,32 @@ bool pelage_holds_for_all(bool condition) {
   return condition;
 }
 
+/// √x; a negative x or NaN gives NaN.
 precise float pelage_square_root(float x) {
   return sqrt(x);
+}
+
+/// The bits of a float, and the float that has them.
+int pelage_bits_of(float x) {
+  return floatBitsToInt(x);
+}
+
+float pelage_float_of_bits(int bits) {
+  return intBitsToFloat(bits);
+}
+
+/// x without its fraction, towards 0; |x| < 2³¹, for a natural number x in [0, 2³²).
+int pelage_to_integer(float x) {
+  return int(x);
+}
+
+uint pelage_to_natural(float x) {
+  return uint(x);
+}
+
+/// The float next to x, ties to even.
+float pelage_to_float(int x) {
+  return float(x);
 }
 
 #endif

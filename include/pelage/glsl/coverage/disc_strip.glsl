@@ -17,7 +17,7 @@
 /// within 5e-7, the formula's own error. Never falls when the fibre grows, save by that error. A fibre of radius 0, or
 /// farther off than the two radii: 0. A disc of radius 0 is a point: 1 inside the strip, 0 outside. NaN, a negative
 /// radius or an infinite disc: 0. A share of 0 makes no fragment, which the caller drops. Shares of segments that meet
-/// are divided by joint.hpp. O(1), one to three square roots.
+/// are divided by joint.glsl. O(1), one to three square roots.
 precise float pelage_disc_strip_share(float offset, float fibre_radius, float disc_radius);
 
 /// The share of a disc that the cap of height `h` cuts off, h in disc radii, [0, 2]; beyond, the nearer end.

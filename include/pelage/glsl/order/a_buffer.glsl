@@ -10,12 +10,12 @@
 /// Every fragment of every pixel, in lists that many threads build at once. [Yang10 §3]
 ///
 /// Keeps all that the pool holds, unsorted; what finds the pool full comes back and is counted, and every list stays
-/// whole. The order inside a list is the order of arrival: read it into a k_buffer or sort it, and the result is the
-/// same for every interleaving. Build and read are two phases: between the last push and the first read the caller
+/// whole. The order inside a list is the order of arrival: read it into a pelage_k_buffer or sort it, and the result is
+/// the same for every interleaving. Build and read are two phases: between the last push and the first read the caller
 /// joins its threads, or waits at a barrier that synchronises them. Memory: see list_storage.
 
-/// Puts a fragment at the head of a list. Returns no_fragment(), or the fragment itself if it was refused and
-/// counted: the pool is full, or is_fragment() is false. `list`: [0, list_count()). Wait-free, O(1).
+/// Puts a fragment at the head of a list. Returns pelage_no_fragment(), or the fragment itself if it was refused and
+/// counted: the pool is full, or pelage_is_fragment() is false. `list`: [0, list_count()). Wait-free, O(1).
 ///
 /// (1) The exchange is relaxed: no thread reads a list while others push, and atomic exchanges on one head still
 /// give each pusher its own predecessor. (2) Relaxed as well; only the barrier after the phase publishes it.
@@ -31,12 +31,12 @@ pelage_fragment pelage_a_buffer_push(uint list, pelage_fragment offered) {
   return pelage_no_fragment();
 }
 
-/// The first node of a list, or no_node(). Not concurrent with push.
+/// The first node of a list, or pelage_no_node(). Not concurrent with push.
 uint pelage_a_buffer_first(uint list) {
   return pelage_atomic_list_storage_load_link(list, pelage_memory_order_relaxed);
 }
 
-/// The node after a node, or no_node(). Not concurrent with push.
+/// The node after a node, or pelage_no_node(). Not concurrent with push.
 uint pelage_a_buffer_next(uint node) {
   return pelage_atomic_list_storage_load_link(pelage_link_of(node), pelage_memory_order_relaxed);
 }

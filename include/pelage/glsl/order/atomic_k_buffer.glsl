@@ -31,10 +31,11 @@ uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shade
 /// The K fragments of each pixel nearest the eye, sorted, built by many threads in one pass and fixed memory: a
 /// cascade of atomic minima.
 ///
-/// Keeps the K first of the total order; drops nothing silently, since insert() hands back what falls out, for the
-/// caller's tail (composite/atomic_tail.hpp). Once all inserts are done, the slots and the set of what fell out
-/// depend on the set of fragments alone. Build and read are two phases, as with a_buffer. 8 K bytes a pixel: cells
-/// [pixel · K, (pixel + 1) · K), all pack(no_fragment()) at first; no pool, so nothing can fill up. K in [1, 64].
+/// Keeps the K first of the total order; drops nothing silently, since pelage_atomic_k_buffer_insert() hands back what
+/// falls out, for the caller's tail (composite/atomic_tail.glsl). Once all inserts are done, the slots and the set of
+/// what fell out depend on the set of fragments alone. Build and read are two phases, as with a_buffer. 8 K bytes a
+/// pixel: cells [pixel · K, (pixel + 1) · K), all pelage_pack(pelage_no_fragment()) at first; no pool, so nothing can
+/// fill up. K in [1, 64].
 ///
 /// Proof. (a) Nothing is lost or doubled: each minimum leaves one of two values in the slot and carries the other on,
 /// and it is atomic. (b) A value that has passed a slot is larger than what the slot holds from then on: the minimum
@@ -46,9 +47,9 @@ uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shade
 /// there has passed the slot itself, so (b) holds again.
 
 /// Offers a fragment. Returns what fell out: a fragment that others pushed on, itself where K nearer ones are held,
-/// or no_fragment(). What is_fragment() refuses comes back as it is. Depths -0 come back as +0. Over all inserts of
-/// a pixel, what comes back is each fragment that is not among the K nearest, once; which call it comes back from
-/// depends on the interleaving.
+/// or pelage_no_fragment(). What pelage_is_fragment() refuses comes back as it is. Depths -0 come back as +0. Over all
+/// inserts of a pixel, what comes back is each fragment that is not among the K nearest, once; which call it comes back
+/// from depends on the interleaving.
 ///
 /// `pixel`: [0, size() / K). Wait-free where the minimum of the hardware is, else lock-free: a step is
 /// repeated only because another insert made the same slot smaller. O(log K) loads for a fragment that is too far or
@@ -83,8 +84,8 @@ pelage_fragment pelage_atomic_k_buffer_insert(uint pixel, pelage_fragment offere
   return pelage_unpack(carried);
 }
 
-/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with insert:
-/// (4) is relaxed, the barrier between the phases orders it after every (3).
+/// The i-th nearest fragment of a pixel, or pelage_no_fragment() behind the last. `i`: [0, K). Not concurrent with
+/// insert: (4) is relaxed, the barrier between the phases orders it after every (3).
 pelage_fragment pelage_atomic_k_buffer_at(uint pixel, uint i) {
   return pelage_unpack(
       pelage_atomic_cells_64_load(pixel * PELAGE_ATOMIC_K_BUFFER_K + i, pelage_memory_order_relaxed));  // (4)

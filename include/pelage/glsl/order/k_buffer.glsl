@@ -40,13 +40,14 @@ uint[PELAGE_K_BUFFER_K] PELAGE_K_BUFFER_K_has_one_value_in_a_shader();
 
 /// The K fragments of one pixel nearest the eye, by select-and-replace. [Yu12 §5.1]
 ///
-/// Keeps the K first of the total order; drops nothing silently, since insert() hands back what falls out. After
-/// sort() its state depends on the set of fragments alone, not on their order of arrival: ties in depth go to the
-/// smaller id. Not concurrent: one thread builds it (atomic structures are in a_buffer.hpp and ordered_list.hpp).
-/// 8 K + 12 bytes. K in [1, 64].
+/// Keeps the K first of the total order; drops nothing silently, since pelage_k_buffer_insert() hands back what falls
+/// out. After pelage_k_buffer_sort() its state depends on the set of fragments alone, not on their order of arrival:
+/// ties in depth go to the smaller id. Not concurrent: one thread builds it (atomic structures are in a_buffer.glsl and
+/// ordered_list.glsl). 8 K + 12 bytes. K in [1, 64].
 struct pelage_k_buffer {
-  pelage_fragment slot[PELAGE_K_BUFFER_K];  ///< in no order before sort(); empty slots hold no_fragment()
-  pelage_fragment farthest;  ///< the last of the slots in the total order; no_fragment() until all are taken
+  pelage_fragment slot[PELAGE_K_BUFFER_K];  ///< in no order before pelage_k_buffer_sort(); empty slots hold
+                                            ///< pelage_no_fragment()
+  pelage_fragment farthest;  ///< the last of the slots in the total order; pelage_no_fragment() until all are taken
   uint farthest_slot;        ///< where it lies, [0, K)
 };
 
@@ -64,8 +65,8 @@ pelage_k_buffer pelage_k_buffer_empty() {
 void pelage_k_buffer_find_farthest(inout pelage_k_buffer self);
 
 /// Offers a fragment and returns what fell out: the fragment that it pushed out, itself where K nearer ones are
-/// held, or no_fragment(). What is_fragment() refuses comes back as it is. O(1) when the fragment is too far,
-/// O(K) when it stays.
+/// held, or pelage_no_fragment(). What pelage_is_fragment() refuses comes back as it is. O(1) when the fragment is too
+/// far, O(K) when it stays.
 pelage_fragment pelage_k_buffer_insert(inout pelage_k_buffer self, pelage_fragment offered) {
   if (!pelage_is_fragment(offered) || !pelage_before(offered, self.farthest)) {
     return offered;
@@ -81,8 +82,8 @@ pelage_fragment pelage_k_buffer_insert(inout pelage_k_buffer self, pelage_fragme
 }
 
 /// Takes the K nearest of both; what fell out is left in `other`, which is a valid buffer again. `other` must not
-/// be this buffer. Associative and commutative in what is kept, with empty() as identity, so partial results of
-/// several workers combine in any order. O(K²).
+/// be this buffer. Associative and commutative in what is kept, with pelage_k_buffer_empty() as identity, so partial
+/// results of several workers combine in any order. O(K²).
 void pelage_k_buffer_merge(inout pelage_k_buffer self, inout pelage_k_buffer other) {
   for (uint i = 0u; i < PELAGE_K_BUFFER_K; ++i) {
     const pelage_fragment lost = pelage_k_buffer_insert(self, other.slot[i]);

@@ -89,9 +89,9 @@ void pelage_atomic_list_storage_write_node(uint pelage_node, pelage_fragment pel
   PELAGE_ATOMIC_LIST_STORAGE_NODES(pelage_node) = pelage_f;
 }
 
-/// Takes a node of the pool, or no_node() when all are taken. Wait-free, O(1). The count stays near the capacity: a
-/// thread looks before it asks, so it asks a full pool once at most, and whoever took the last node never does. It
-/// wraps only if more threads (on a GPU, invocations in flight) than 2^32 - node_capacity() do so.
+/// Takes a node of the pool, or pelage_no_node() when all are taken. Wait-free, O(1). The count stays near the
+/// capacity: a thread looks before it asks, so it asks a full pool once at most, and whoever took the last node never
+/// does. It wraps only if more threads (on a GPU, invocations in flight) than 2^32 - node_capacity() do so.
 ///
 /// (1) Relaxed load: the count never falls, so a thread that has seen the pool full, or whose own (2) found it full,
 /// sees that forever. (2) Relaxed add: it hands out numbers and publishes nothing; a node's content is published by

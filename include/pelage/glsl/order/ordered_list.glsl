@@ -19,15 +19,16 @@ uint pelage_ordered_list_unlimited() {
   return 0xffffffffu;
 }
 
-/// Inserts a fragment at its place. Returns no_fragment(), or the fragment itself where it did not enter: it is
-/// refused and counted (pool full, or is_fragment() is false), or `limit` fragments of the list are before it, which
-/// is not a loss but an answer: it is not among the `limit` nearest and never will be. If all inserts have the same
-/// limit and none found the pool full, the list's first `limit` nodes are the nearest of all for every interleaving.
-/// Nodes behind them may remain, how many depends on the interleaving: only a node for every offer is surely enough.
+/// Inserts a fragment at its place. Returns pelage_no_fragment(), or the fragment itself where it did not enter: it is
+/// refused and counted (pool full, or pelage_is_fragment() is false), or `limit` fragments of the list are before it,
+/// which is not a loss but an answer: it is not among the `limit` nearest and never will be. If all inserts have the
+/// same limit and none found the pool full, the list's first `limit` nodes are the nearest of all for every
+/// interleaving. Nodes behind them may remain, how many depends on the interleaving: only a node for every offer is
+/// surely enough.
 ///
-/// `list`: [0, list_count()). `limit`: [1, unlimited()]. Lock-free: an exchange fails only because another insert
-/// succeeded, and costs one more step. O(n) steps for the n fragments before this one; of those that were there when
-/// it came, it passes at most `limit`.
+/// `list`: [0, list_count()). `limit`: [1, pelage_ordered_list_unlimited()]. Lock-free: an exchange fails only because
+/// another insert succeeded, and costs one more step. O(n) steps for the n fragments before this one; of those that
+/// were there when it came, it passes at most `limit`.
 ///
 /// (1) Acquire load of a link; synchronises with (3) of whoever published the node that it leads to, so the node's
 /// fragment and link may be read. (2) Relaxed store of the own link: no one reaches the node before (3). (3) The
@@ -70,12 +71,12 @@ pelage_fragment pelage_ordered_list_insert(uint list, pelage_fragment offered, u
   }
 }
 
-/// The first node of a list, or no_node(). (4) Acquire, pairs with (3). Wait-free.
+/// The first node of a list, or pelage_no_node(). (4) Acquire, pairs with (3). Wait-free.
 uint pelage_ordered_list_first(uint list) {
   return pelage_atomic_list_storage_load_link(list, pelage_memory_order_acquire);  // (4)
 }
 
-/// The node after a node, or no_node(). (4) Acquire, pairs with (3). Wait-free.
+/// The node after a node, or pelage_no_node(). (4) Acquire, pairs with (3). Wait-free.
 uint pelage_ordered_list_next(uint node) {
   return pelage_atomic_list_storage_load_link(pelage_link_of(node), pelage_memory_order_acquire);  // (4)
 }

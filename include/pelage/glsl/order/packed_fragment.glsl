@@ -10,8 +10,9 @@
 
 #include "../core/fragment.glsl"
 
-/// A fragment as a number that orders as the fragment does: depth_key in the high word, id in the low one. What
-/// no_fragment() gives is above that of every fragment. For fragments that is_fragment() accepts, or no_fragment().
+/// A fragment as a number that orders as the fragment does: pelage_depth_key in the high word, id in the low one. What
+/// pelage_no_fragment() gives is above that of every fragment. For fragments that pelage_is_fragment() accepts, or
+/// pelage_no_fragment().
 uint64_t pelage_pack(pelage_fragment f) {
   return (uint64_t(pelage_depth_key(f.depth)) << 32u) | uint64_t(f.id);
 }

@@ -15,8 +15,8 @@ uint pelage_slice_sort_slice_at(float position, uint slices) {
   return uint(position > 0.0 ? (position < last ? position : last) : 0.0);
 }
 
-/// The slice of a segment, [0, slices): that of its farther end. `first`, `second`: slice_position() of its ends,
-/// [0, slices]; the end of the last slice belongs to it. NaN counts as 0.
+/// The slice of a segment, [0, slices): that of its farther end. `first`, `second`: pelage_slice_position() of its
+/// ends, [0, slices]; the end of the last slice belongs to it. NaN counts as 0.
 uint pelage_slice_sort_slice_of(float first, float second, uint slices) {
   const uint a = pelage_slice_sort_slice_at(first, slices);
   const uint b = pelage_slice_sort_slice_at(second, slices);
@@ -30,7 +30,7 @@ struct pelage_slice_sort_piece {
   float end;    ///< and ends, [begin, 1]
 };
 
-/// The number of slices that a segment passes, [1, slices]. Parameters as slice_of().
+/// The number of slices that a segment passes, [1, slices]. Parameters as pelage_slice_sort_slice_of().
 uint pelage_slice_sort_piece_count(float first, float second, uint slices) {
   const uint a = pelage_slice_sort_slice_at(first, slices);
   const uint b = pelage_slice_sort_slice_at(second, slices);
@@ -43,8 +43,8 @@ precise float pelage_slice_sort_end_in_slice(float first, float second, uint sli
   return pelage_saturate((plane - first) / (second - first));
 }
 
-/// A segment's piece, `number` in [0, piece_count()), counted from its first end. Where one ends the next begins, at
-/// the same bits; the first begins at 0 and the last ends at 1.
+/// A segment's piece, `number` in [0, pelage_slice_sort_piece_count()), counted from its first end. Where one ends the
+/// next begins, at the same bits; the first begins at 0 and the last ends at 1.
 pelage_slice_sort_piece pelage_slice_sort_piece_at(float first, float second, uint slices, uint number) {
   const uint from = pelage_slice_sort_slice_at(first, slices);
   const uint to = pelage_slice_sort_slice_at(second, slices);

@@ -21,14 +21,15 @@ uint[PELAGE_SORT_NETWORK_K] PELAGE_SORT_NETWORK_K_has_one_value_in_a_shader();
 
 #ifndef PELAGE_ORDER_SORTING_NETWORK_GLSL_ONCE
 
-/// Puts the nearer of two fragments first. Ties as before().
+/// Puts the nearer of two fragments first. Ties as pelage_before().
 void pelage_order_pair(inout pelage_fragment a, inout pelage_fragment b);
 
 #endif
 
 /// Sorts K fragments nearest first with Batcher's odd-even merge network: the same compares whatever the data, so
 /// that a compiler can unroll it and keep every slot in a register. O(K log² K): 63 compares at K = 16, 543 at 64.
-/// Not stable; ids make the order total. Sorts other elements too, by the order_pair() declared beside their type.
+/// Not stable; ids make the order total. Sorts other elements too, by the pelage_order_pair() declared beside their
+/// type.
 void pelage_sort_network(inout pelage_fragment slot[PELAGE_SORT_NETWORK_K]);
 
 // ---------------------------------------------------------------------------------------------------------

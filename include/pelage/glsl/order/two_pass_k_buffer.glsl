@@ -4,31 +4,25 @@
 
 #ifndef PELAGE_TWO_PASS_K_BUFFER_K
 #define PELAGE_TWO_PASS_K_BUFFER_K 16
-#endif
-#if !(PELAGE_TWO_PASS_K_BUFFER_K >= 1 && PELAGE_TWO_PASS_K_BUFFER_K <= 64)
+#elif !(PELAGE_TWO_PASS_K_BUFFER_K >= 1 && PELAGE_TWO_PASS_K_BUFFER_K <= 64)
 #error pelage::two_pass_k_buffer: K must be in [1, 64]
 #endif
 
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
-#ifndef PELAGE_PREFIX
-uint[PELAGE_TWO_PASS_K_BUFFER_K] PELAGE_TWO_PASS_K_BUFFER_K_has_one_value_in_a_shader();
-#endif
-#if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL)
-#ifndef PELAGE_PREFIX
-#define PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL
-#endif
-
-#include "../core/atomic_cells.glsl"
-#include "../core/fragment.glsl"
-
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
 #define pelage_two_pass_k_buffer_at PELAGE_PASTE(PELAGE_PREFIX, _two_pass_k_buffer_at)
 #define pelage_two_pass_k_buffer_insert PELAGE_PASTE(PELAGE_PREFIX, _two_pass_k_buffer_insert)
 #define pelage_two_pass_k_buffer_offer_depth PELAGE_PASTE(PELAGE_PREFIX, _two_pass_k_buffer_offer_depth)
+#else
+uint[PELAGE_TWO_PASS_K_BUFFER_K] PELAGE_TWO_PASS_K_BUFFER_K_has_one_value_in_a_shader();
 #endif
+#if defined(PELAGE_PREFIX) || !defined(PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL)
+
+#include "../core/atomic_cells.glsl"
+#include "../core/fragment.glsl"
 
 /// atomic_k_buffer for hardware without 64-bit atomics: the depths in a first pass, the ids in a second one.
 ///
@@ -42,7 +36,7 @@ uint[PELAGE_TWO_PASS_K_BUFFER_K] PELAGE_TWO_PASS_K_BUFFER_K_has_one_value_in_a_s
 /// that run: it leaves the run's smallest ids in order. Only a run that ends at slot K - 1 may have more fragments
 /// than slots; its larger ids fall out.
 
-/// First pass: offers a fragment's depth. What is_fragment() refuses is left out. `pixel`: [0, size() / (2 K)).
+/// First pass: offers a fragment's depth. What pelage_is_fragment() refuses is left out. `pixel`: [0, size() / (2 K)).
 /// Wait-free where the minimum of the hardware is, else lock-free. O(K).
 ///
 /// (1) and (2) relaxed, as (1) and (3) of atomic_k_buffer.
@@ -60,8 +54,8 @@ void pelage_two_pass_k_buffer_offer_depth(uint pixel, pelage_fragment offered) {
 }
 
 /// Second pass: offers the fragment itself. Returns what fell out: one of equal depth with a larger id, itself, or
-/// no_fragment(). What is_fragment() refuses comes back as it is. Depths -0 come back as +0. `pixel` and progress as
-/// in the first pass. O(K).
+/// pelage_no_fragment(). What pelage_is_fragment() refuses comes back as it is. Depths -0 come back as +0. `pixel` and
+/// progress as in the first pass. O(K).
 ///
 /// (3) relaxed: the barrier between the passes orders it after every (2). (4) relaxed: as (2), on ids.
 pelage_fragment pelage_two_pass_k_buffer_insert(uint pixel, pelage_fragment offered) {
@@ -82,8 +76,8 @@ pelage_fragment pelage_two_pass_k_buffer_insert(uint pixel, pelage_fragment offe
                                             : pelage_no_fragment();
 }
 
-/// The i-th nearest fragment of a pixel, or no_fragment() behind the last. `i`: [0, K). Not concurrent with either
-/// pass: (5) is relaxed, the barrier orders it after every (4).
+/// The i-th nearest fragment of a pixel, or pelage_no_fragment() behind the last. `i`: [0, K). Not concurrent with
+/// either pass: (5) is relaxed, the barrier orders it after every (4).
 pelage_fragment pelage_two_pass_k_buffer_at(uint pixel, uint i) {
   const uint slot = pixel * 2u * PELAGE_TWO_PASS_K_BUFFER_K + i;
   const uint id = pelage_atomic_cells_load(slot + PELAGE_TWO_PASS_K_BUFFER_K, pelage_memory_order_relaxed);  // (5)
@@ -96,6 +90,8 @@ pelage_fragment pelage_two_pass_k_buffer_at(uint pixel, uint i) {
 #undef pelage_two_pass_k_buffer_at
 #undef pelage_two_pass_k_buffer_insert
 #undef pelage_two_pass_k_buffer_offer_depth
+#else
+#define PELAGE_ORDER_TWO_PASS_K_BUFFER_GLSL
 #endif
 
 #endif

@@ -37,8 +37,8 @@ precise float pelage_held_depth(float depth) {
 ///
 /// The truth at a depth is the product of 1 - alpha over all fragments strictly before it: 1 up to the nearest, and
 /// constant behind the farthest. The result never rises. With an error of 0 it is the truth itself, in 2 vertices a
-/// depth. Begin, add() every fragment nearest first, finish(); `count` is then the number of vertices, at most 2 a
-/// fragment. O(1) a fragment. One thread builds a texel.
+/// depth. Begin, pelage_deep_shadow_builder_add() every fragment nearest first, pelage_deep_shadow_builder_finish();
+/// `count` is then the number of vertices, at most 2 a fragment. O(1) a fragment. One thread builds a texel.
 ///
 /// Depths, of look-ups too, are clamped to [-2¹⁰⁰, 2¹⁰⁰], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: no slope
 /// then leaves a float's range.
@@ -99,7 +99,8 @@ void pelage_deep_shadow_builder_finish(inout pelage_deep_shadow_builder self) {
   }
 }
 
-/// For add() and finish(): the line must pass `depth` within the tolerance of `truth`.
+/// For pelage_deep_shadow_builder_add() and pelage_deep_shadow_builder_finish(): the line must pass `depth` within the
+/// tolerance of `truth`.
 void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder self, float depth, float truth) {
   const float least = pelage_saturate(truth - self.tolerance);
   const float most = pelage_saturate(truth + self.tolerance);
@@ -124,7 +125,8 @@ void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder se
   }
 }
 
-/// For pass() and finish(): ends the line at `last` with its middle slope.
+/// For pelage_deep_shadow_builder_pass() and pelage_deep_shadow_builder_finish(): ends the line at `last` with its
+/// middle slope.
 void pelage_deep_shadow_builder_end_line(precise inout pelage_deep_shadow_builder self) {
   const float slope = 0.5 * (self.least_slope + self.greatest_slope);
   const float end = self.from.transmittance + slope * (self.last - self.from.depth);

@@ -45,7 +45,7 @@ const uint pelage_density_clusters_cells = 3u * PELAGE_DENSITY_CLUSTERS_K;  ///<
 /// A cluster here is one of K equal bins of the depth range, where the paper moves them by k-means. Between
 /// mean ± √3 σ, clamped to its bin, a cluster's fragments lie evenly. Depths in a bin are rounded to 512 steps and
 /// summed as integers, so the state depends on the set of fragments alone, bit for bit; the sums stop at 2³² - 1,
-/// squares from 16,383 fragments a bin on. 12 K bytes, 8 more with the depth_range.
+/// squares from 16,383 fragments a bin on. 12 K bytes, 8 more with the pelage_depth_range.
 struct pelage_density_clusters {
   uint count[PELAGE_DENSITY_CLUSTERS_K];    ///< fragments in each bin
   uint sum[PELAGE_DENSITY_CLUSTERS_K];      ///< of their positions in the bin, 512 steps to a bin
@@ -63,7 +63,7 @@ pelage_density_clusters pelage_density_clusters_empty() {
   return none;
 }
 
-/// Puts a fragment in. `position`: slice_position(relative depth, K), [0, K]. Not concurrent. O(1).
+/// Puts a fragment in. `position`: pelage_slice_position(relative depth, K), [0, K]. Not concurrent. O(1).
 void pelage_density_clusters_add(inout pelage_density_clusters self, float position) {
   const uint bin = pelage_layer_at(position, PELAGE_DENSITY_CLUSTERS_K);
   const uint place = pelage_step_in_bin(position, bin);
@@ -103,7 +103,7 @@ void pelage_add_to_density_clusters(uint texel, float position) {
   pelage_add_to_cell(first + 2u * PELAGE_DENSITY_CLUSTERS_K, place * place);
 }
 
-/// A texel of such a storage. Not concurrent with add_to_density_clusters.
+/// A texel of such a storage. Not concurrent with pelage_add_to_density_clusters.
 pelage_density_clusters pelage_load_density_clusters(uint texel) {
   pelage_density_clusters clusters = pelage_density_clusters_empty();
   for (uint i = 0u; i < PELAGE_DENSITY_CLUSTERS_K; ++i) {

@@ -15,8 +15,8 @@ bool pelage_is_finite_depth(float depth) {
 
 /// The nearest and the farthest depth of a texel's fragments: where the slices of its maps begin and end. 8 bytes.
 ///
-/// Holds keys (see depth_key), so that minimum and maximum are those of integers. Depends on the set of depths alone.
-/// What an opaque object hides is not to be taken in: the caller's depth limit cuts fibres before this.
+/// Holds keys (see pelage_depth_key), so that minimum and maximum are those of integers. Depends on the set of depths
+/// alone. What an opaque object hides is not to be taken in: the caller's depth limit cuts fibres before this.
 struct pelage_depth_range {
   uint nearest;   ///< key of the least depth; all ones while empty
   uint farthest;  ///< key of the greatest depth; 0 while empty
@@ -36,7 +36,7 @@ void pelage_depth_range_extend(inout pelage_depth_range self, float depth) {
   }
 }
 
-/// Takes in another range. Associative and commutative, empty() is the identity.
+/// Takes in another range. Associative and commutative, pelage_depth_range_empty() is the identity.
 void pelage_depth_range_merge(inout pelage_depth_range self, pelage_depth_range other) {
   self.nearest = other.nearest < self.nearest ? other.nearest : self.nearest;
   self.farthest = other.farthest > self.farthest ? other.farthest : self.farthest;
@@ -82,7 +82,7 @@ void pelage_extend_depth_range(uint texel, float depth) {
   }
 }
 
-/// The range of a texel. Not concurrent with extend_depth_range.
+/// The range of a texel. Not concurrent with pelage_extend_depth_range.
 pelage_depth_range pelage_load_depth_range(uint texel) {
   return pelage_depth_range(~pelage_atomic_cells_load(2u * texel, pelage_memory_order_relaxed),
                             pelage_atomic_cells_load(2u * texel + 1u, pelage_memory_order_relaxed));

@@ -13,7 +13,7 @@ float pelage_held_position(float x, float high) {
   return x > 0.0 ? (x < high ? x : high) : 0.0;
 }
 
-/// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: depth_range::relative, [0, 1].
+/// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: pelage_depth_range_relative, [0, 1].
 precise float pelage_slice_position(float relative, uint slices) {
   const float end = float(slices);
   return pelage_held_position(relative * end, end);

@@ -4,15 +4,14 @@
 
 #ifndef PELAGE_OCCUPANCY_MAP_SLABS
 #define PELAGE_OCCUPANCY_MAP_SLABS 4
+#elif !(PELAGE_OCCUPANCY_MAP_SLABS <= 32)
+#error pelage::occupancy_map: at most 32 Slabs, whose sums' ends are bits of one cell
 #endif
 
 #ifndef PELAGE_OCCUPANCY_MAP_SLICES
 #define PELAGE_OCCUPANCY_MAP_SLICES 128
 #elif !(PELAGE_OCCUPANCY_MAP_SLICES % 32 == 0 && PELAGE_OCCUPANCY_MAP_SLICES > 0)
 #error pelage::occupancy_map: Slices must be a multiple of 32
-#endif
-#if !(PELAGE_OCCUPANCY_MAP_SLABS <= 32)
-#error pelage::occupancy_map: at most 32 Slabs, whose sums' ends are bits of one cell
 #endif
 #if !(PELAGE_OCCUPANCY_MAP_SLABS > 0 && PELAGE_OCCUPANCY_MAP_SLICES % PELAGE_OCCUPANCY_MAP_SLABS == 0)
 #error pelage::occupancy_map: all Slabs must have as many slices
@@ -69,9 +68,9 @@ const uint pelage_occupancy_map_slab_slices =
 ///
 /// Keeps which slices hold anything and what each slab holds; drops how much lies in each slice of a slab. Depends on
 /// the set of fragments alone, bit for bit. Sums count fragments, or whatever `amount` the caller gives, such as
-/// optical_depth(alpha); they stop at 2³² - 1. Slices / 8 + 4 · Slabs bytes: 32 at 128 slices and 4 slabs, 40 with the
-/// depth_range. An opaque object's limit cuts fragments before they come here; what lies behind the range is
-/// shadowed by all slabs.
+/// pelage_optical_depth(alpha); they stop at 2³² - 1. Slices / 8 + 4 · Slabs bytes: 32 at 128 slices and 4 slabs, 40
+/// with the pelage_depth_range. An opaque object's limit cuts fragments before they come here; what lies behind the
+/// range is shadowed by all slabs.
 struct pelage_occupancy_map {
   uint occupied[pelage_occupancy_map_words];  ///< slice i is bit i % 32 of word i / 32
   uint amount[PELAGE_OCCUPANCY_MAP_SLABS];    ///< the sum of each slab
@@ -89,8 +88,8 @@ pelage_occupancy_map pelage_occupancy_map_empty() {
   return map;
 }
 
-/// Puts a fragment in. `position`: slice_position(relative depth, Slices), [0, Slices]. `added`: 1 to count
-/// fragments. Not concurrent (see add_to_occupancy_map). O(1).
+/// Puts a fragment in. `position`: pelage_slice_position(relative depth, Slices), [0, Slices]. `added`: 1 to count
+/// fragments. Not concurrent (see pelage_add_to_occupancy_map). O(1).
 void pelage_occupancy_map_add(inout pelage_occupancy_map self, float position, uint added) {
   const uint slice = pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES);
   const uint word = self.occupied[slice / 32u];
@@ -99,7 +98,8 @@ void pelage_occupancy_map_add(inout pelage_occupancy_map self, float position, u
       pelage_add_saturating(self.amount[slice / pelage_occupancy_map_slab_slices], added);
 }
 
-/// Puts another map of the same depth range in. Associative and commutative, empty() is the identity.
+/// Puts another map of the same depth range in. Associative and commutative, pelage_occupancy_map_empty() is the
+/// identity.
 void pelage_occupancy_map_merge(inout pelage_occupancy_map self, pelage_occupancy_map other) {
   for (uint i = 0u; i < pelage_occupancy_map_words; ++i) {
     self.occupied[i] = self.occupied[i] | other.occupied[i];
@@ -118,10 +118,11 @@ uint pelage_occupancy_map_total(pelage_occupancy_map self) {
   return sum;
 }
 
-/// The estimate of what lies before a position, [0, total()]; with counted fragments the position's place in their
-/// order. The slabs before it count whole, its own slab by the share of its set slices that lie before, the slice
-/// itself linearly. [Sintorn & Assarsson 2009, §3.2] Never falls as the position grows; exact at the ends of slabs
-/// (sums from 2²⁴ on by a float's own precision); 0 at 0 and total() at Slices. O(Slices / Slabs / 32 + Slabs).
+/// The estimate of what lies before a position, [0, pelage_occupancy_map_total()]; with counted fragments the
+/// position's place in their order. The slabs before it count whole, its own slab by the share of its set slices that
+/// lie before, the slice itself linearly. [Sintorn & Assarsson 2009, §3.2] Never falls as the position grows; exact at
+/// the ends of slabs (sums from 2²⁴ on by a float's own precision); 0 at 0 and pelage_occupancy_map_total() at Slices.
+/// O(Slices / Slabs / 32 + Slabs).
 precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, float position) {
   const uint slice = pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES);
   const uint slab = slice / pelage_occupancy_map_slab_slices;
@@ -151,8 +152,8 @@ precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, floa
 }
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
-/// the storage, all 0 at first, for M = occupancy_map<Slices, Slabs>; the last holds the ends of the sums
-/// (add_and_mark). Wait-free where the hardware has the changes; memory orders: cell_storage.
+/// the storage, all 0 at first, for M = pelage_occupancy_map; the last holds the ends of the sums
+/// (pelage_add_and_mark). Wait-free where the hardware has the changes; memory orders: cell_storage.
 void pelage_add_to_occupancy_map(uint texel, float position, uint added) {
   const uint slice = pelage_layer_at(position, pelage_occupancy_map_words * 32u);
   const uint first = texel * pelage_occupancy_map_cells;
@@ -162,7 +163,7 @@ void pelage_add_to_occupancy_map(uint texel, float position, uint added) {
                       1u << slab);
 }
 
-/// A texel of such a storage. Not concurrent with add_to_occupancy_map.
+/// A texel of such a storage. Not concurrent with pelage_add_to_occupancy_map.
 pelage_occupancy_map pelage_load_occupancy_map(uint texel) {
   const uint first = texel * pelage_occupancy_map_cells;
   pelage_occupancy_map map = pelage_occupancy_map_empty();

@@ -32,15 +32,16 @@ uint[PELAGE_OPACITY_MAP_LAYERS] PELAGE_OPACITY_MAP_LAYERS_has_one_value_in_a_sha
 #include "../core/math.glsl"
 #include "layer_position.glsl"
 
-/// One texel of an opacity map: a sum for each layer. With slice_position() it is an opacity shadow map
-/// [Kim & Neumann 2001], with equal_layer_position() or growing_layer_position() a deep opacity map
+/// One texel of an opacity map: a sum for each layer. With pelage_slice_position() it is an opacity shadow map
+/// [Kim & Neumann 2001], with pelage_equal_layer_position() or pelage_growing_layer_position() a deep opacity map
 /// [Yuksel & Keyser 2008].
 ///
 /// Keeps what each layer holds, what lies beyond the last in the last; drops where in its layer a fragment lies.
 /// Depends on the set of fragments alone, bit for bit. Sums count fragments, or whatever `added` the caller gives,
-/// such as optical_depth(alpha); they stop at 2³² - 1. 4 · Layers bytes, 8 more with the depth_range.
+/// such as pelage_optical_depth(alpha); they stop at 2³² - 1. 4 · Layers bytes, 8 more with the pelage_depth_range.
 struct pelage_opacity_map {
-  uint amount[PELAGE_OPACITY_MAP_LAYERS];  ///< of each layer; after accumulate() of it and all before it
+  uint amount[PELAGE_OPACITY_MAP_LAYERS];  ///< of each layer; after pelage_opacity_map_accumulate() of it and all
+                                           ///< before it
 };
 
 /// A texel without fragments.
@@ -52,20 +53,21 @@ pelage_opacity_map pelage_opacity_map_empty() {
   return map;
 }
 
-/// Puts a fragment in. `position`: [0, Layers], see layer_position.hpp. Not concurrent (see add_to_opacity_map).
+/// Puts a fragment in. `position`: [0, Layers], see layer_position.glsl. Not concurrent (see
+/// pelage_add_to_opacity_map).
 void pelage_opacity_map_add(inout pelage_opacity_map self, float position, uint added) {
   const uint layer = pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS);
   self.amount[layer] = pelage_add_saturating(self.amount[layer], added);
 }
 
-/// Puts another map with the same layers in. Associative and commutative, empty() is the identity.
+/// Puts another map with the same layers in. Associative and commutative, pelage_opacity_map_empty() is the identity.
 void pelage_opacity_map_merge(inout pelage_opacity_map self, pelage_opacity_map other) {
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
     self.amount[i] = pelage_add_saturating(self.amount[i], other.amount[i]);
   }
 }
 
-/// The sum of all layers, before accumulate().
+/// The sum of all layers, before pelage_opacity_map_accumulate().
 uint pelage_opacity_map_total(pelage_opacity_map self) {
   uint sum = 0u;
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
@@ -74,9 +76,10 @@ uint pelage_opacity_map_total(pelage_opacity_map self) {
   return sum;
 }
 
-/// The estimate of what lies before a position, [0, total()]: each layer weighs as much of itself as lies before,
-/// by one formula without a branch [Svoboda §1.3.3]. Never falls as the position grows; exact at the ends of layers
-/// (sums from 2²⁴ on by a float's own precision). Where total() stops it goes on beyond. O(Layers).
+/// The estimate of what lies before a position, [0, pelage_opacity_map_total()]: each layer weighs as much of itself as
+/// lies before, by one formula without a branch [Svoboda §1.3.3]. Never falls as the position grows; exact at the ends
+/// of layers (sums from 2²⁴ on by a float's own precision). Where pelage_opacity_map_total() stops it goes on beyond.
+/// O(Layers).
 precise float pelage_opacity_map_amount_before(pelage_opacity_map self, float position) {
   float sum = 0.0;
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
@@ -85,14 +88,16 @@ precise float pelage_opacity_map_amount_before(pelage_opacity_map self, float po
   return sum;
 }
 
-/// Replaces each sum by that of its layer and all before it, for accumulated_before(). Once, when all is in.
+/// Replaces each sum by that of its layer and all before it, for pelage_opacity_map_accumulated_before(). Once, when
+/// all is in.
 void pelage_opacity_map_accumulate(inout pelage_opacity_map self) {
   for (uint i = 1u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
     self.amount[i] = pelage_add_saturating(self.amount[i], self.amount[i - 1u]);
   }
 }
 
-/// amount_before() of a map after accumulate(), up to rounding: two sums and a line between them. O(1).
+/// pelage_opacity_map_amount_before() of a map after pelage_opacity_map_accumulate(), up to rounding: two sums and a
+/// line between them. O(1).
 precise float pelage_opacity_map_accumulated_before(pelage_opacity_map self, float position) {
   const uint layer = pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS);
   const uint before = layer > 0u ? self.amount[layer - 1u] : 0u;
@@ -108,7 +113,7 @@ void pelage_add_to_opacity_map(uint texel, float position, uint added) {
   pelage_add_to_cell(texel * PELAGE_OPACITY_MAP_LAYERS + pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS), added);
 }
 
-/// A texel of such a storage. Not concurrent with add_to_opacity_map.
+/// A texel of such a storage. Not concurrent with pelage_add_to_opacity_map.
 pelage_opacity_map pelage_load_opacity_map(uint texel) {
   pelage_opacity_map map = pelage_opacity_map_empty();
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
