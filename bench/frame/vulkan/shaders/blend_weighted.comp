@@ -11,7 +11,7 @@
 #include "pelage/glsl/composite/order_weighted.glsl"
 #include "sums.glsl"
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   sink_go_to(pixel);
   const seen_fibre fibre = see(i, where);
   const float alpha = fibre.opacity * fibre.coverage;

@@ -44,8 +44,8 @@ vec4 shaded_at(uint i) {
   return vec4(unpackHalf2x16(word.x), unpackHalf2x16(word.y));
 }
 
-/// A fragment as its touch is known.
-seen_fibre see(uint i, touch where) {
+/// A fragment whose place on the segment is known.
+seen_fibre see(uint i, segment_in_pixel where) {
   const vec4 mean = mix(shaded_at(i), shaded_at(i + 1u), where.along);
   return seen_fibre(mean.rgb, mean.a, where.coverage * share_in_front(where.depth));
 }
@@ -53,7 +53,7 @@ seen_fibre see(uint i, touch where) {
 /// And where it has to be found again.
 seen_fibre see(pelage_fragment f) {
   const ivec2 at = ivec2(sink_at % uint(VIEW.size.x), sink_at / uint(VIEW.size.x));
-  return see(f.id, touch_of(place(f.id), at));
+  return see(f.id, look_at(place(f.id), at));
 }
 
 /// What see() sees from then on.

@@ -6,7 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "draw.glsl"
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   atomicAdd(counts[VIEW.first_pixel + pixel], 1u);
 }
 

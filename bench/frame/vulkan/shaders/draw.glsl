@@ -3,7 +3,7 @@
 // Draws a subgroup's segments together: the pixels of their stamps are queued, and whenever there is one for each lane,
 // all lanes compute coverage at once, each of whichever segment. The including shader says what becomes of a fragment
 // of the segment that begins at point i:
-//   void visit(uint i, uint pixel, touch where)
+//   void visit(uint i, uint pixel, segment_in_pixel where)
 // and, where that is known by an earlier pass (SEEN_BEFORE), does not ask which segments the camera sees.
 #ifndef PELAGE_FRAME_DRAW_GLSL
 #define PELAGE_FRAME_DRAW_GLSL
@@ -16,7 +16,7 @@
 #include "subgroup.glsl"
 #include "walk.glsl"
 
-void visit(uint i, uint pixel, touch where);
+void visit(uint i, uint pixel, segment_in_pixel where);
 
 shared uint queue[2u * gl_WorkGroupSize.x];  ///< the lane that has the stamp, and the cell
 shared uint has_fragment[gl_WorkGroupSize.x];
@@ -37,7 +37,7 @@ void draw_queued(stamp own, uint entry, bool is_entry) {
   if (is_entry) {
     const ivec2 at = pixel_of_cell(corner, queue[entry] % 64u);
     const uint pixel = index_of(at);
-    const touch where = touch_of(s, at);
+    const segment_in_pixel where = look_at(s, at);
     if (is_fragment(where, pixel)) {
       has_fragment[gl_SubgroupID * lanes + lane] = 1u;
       visit(i, pixel, where);

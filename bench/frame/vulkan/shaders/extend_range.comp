@@ -8,7 +8,7 @@
 #include "draw.glsl"
 #include "occupancy.glsl"
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   extend_range(VIEW.first_pixel + pixel, where.depth);
 }
 

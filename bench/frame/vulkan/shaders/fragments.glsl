@@ -12,14 +12,14 @@ vec2 opacity_of(uint point) {
 }
 
 /// Whether the pixel has a part of the segment, not hidden by opaque objects.
-bool is_fragment(touch where, uint pixel) {
+bool is_fragment(segment_in_pixel where, uint pixel) {
   return where.coverage > 0.0 && !(where.depth >= limits[VIEW.first_pixel + pixel]);
 }
 
 /// What is kept of a fragment in the view: the camera's is found again by its segment's first point, a number that
 /// orders as the segment's; a light needs the optical depth alone, and fragments that have depth and optical depth in
 /// common are alike.
-precise pelage_fragment fragment_of(uint i, touch where) {
+precise pelage_fragment fragment_of(uint i, segment_in_pixel where) {
   if (is_camera()) {
     return pelage_fragment(where.depth, i);
   }

@@ -11,7 +11,7 @@
 #include "lists.glsl"
 #include "slots.glsl"
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   const pelage_fragment lost = pelage_atomic_k_buffer_insert(pixel, fragment_of(i, where));
   if (pelage_is_fragment(lost)) {
     pelage_a_buffer_push(pixel, lost);

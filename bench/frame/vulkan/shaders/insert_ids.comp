@@ -10,7 +10,7 @@
 #define SPLIT
 #include "slots.glsl"
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   const pelage_fragment lost = pelage_two_pass_k_buffer_insert(pixel, fragment_of(i, where));
   if (pelage_is_fragment(lost)) {
     pelage_a_buffer_push(pixel, lost);

@@ -9,7 +9,7 @@
 #include "draw.glsl"
 #include "lists.glsl"
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   const pelage_fragment back = pelage_ordered_list_insert(pixel, fragment_of(i, where), push.k);
   if (pelage_is_fragment(back)) {
     pelage_a_buffer_push(view_pixels() + pixel, back);

@@ -11,7 +11,7 @@
 #include "camera_sink.glsl"
 #endif
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   const uint texel = VIEW.first_pixel + pixel;
 #ifdef FOR_CAMERA
   sink_go_to(pixel);

@@ -9,7 +9,7 @@
 #define SPLIT
 #include "slots.glsl"
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   pelage_two_pass_k_buffer_offer_depth(pixel, fragment_of(i, where));
 }
 

@@ -19,7 +19,7 @@ bool passes_over(uint pixel, float least_depth, float most_depth) {
          pelage_depth_key(least_depth) > uint(slots[nearest_slot(pixel)] >> 32u);
 }
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   const uint64_t number = pelage_pack(fragment_of(i, where));
   if (number > slots[last_slot(pixel)] && number < slots[nearest_slot(pixel)]) {
     pelage_atomic_cells_64_fetch_min(nearest_slot(pixel), number, pelage_memory_order_relaxed);

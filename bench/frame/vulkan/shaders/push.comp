@@ -7,7 +7,7 @@
 #include "draw.glsl"
 #include "lists.glsl"
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   pelage_a_buffer_push(pixel, fragment_of(i, where));
 }
 

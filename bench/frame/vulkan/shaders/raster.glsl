@@ -9,7 +9,7 @@
 #include "projection.glsl"
 
 /// What a segment leaves in a pixel.
-struct touch {
+struct segment_in_pixel {
   float depth;
   float coverage;
   float along;
@@ -30,7 +30,7 @@ precise placed_segment place(uint i) {
 }
 
 /// Where a pixel's ray passes a segment that touches the pixel.
-precise touch touch_of(placed_segment s, ivec2 at) {
+precise segment_in_pixel look_at(placed_segment s, ivec2 at) {
   const view_ray ray = ray_through(this_view(), vec2(at) + 0.5);
   const pelage_closest_pair pair = pelage_closest_points(ray.origin, ray.direction, s.start, s.end);
   const float disc = pelage_radius_at(cone_of(this_view()), pair.along_ray);
@@ -40,7 +40,7 @@ precise touch touch_of(placed_segment s, ivec2 at) {
   const float share = smooth_edges ? pelage_disc_strip_share(pair.distance, fibre, disc) : hit;
   const float axis_depth = -(s.start.z + pair.along_segment * (s.end.z - s.start.z));
   const bool in_front = min(pair.along_ray, axis_depth) >= VIEW.near_plane;
-  return touch(pair.along_ray, in_front ? share : 0.0, pair.along_segment);
+  return segment_in_pixel(pair.along_ray, in_front ? share : 0.0, pair.along_segment);
 }
 
 #endif

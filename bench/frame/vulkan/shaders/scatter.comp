@@ -27,7 +27,7 @@ void store_waiting() {
   }
 }
 
-void visit(uint i, uint pixel, touch where) {
+void visit(uint i, uint pixel, segment_in_pixel where) {
   const uint place = atomicAdd(counts[VIEW.first_pixel + pixel], 1u);
   store_waiting();
   waiting_place = place;

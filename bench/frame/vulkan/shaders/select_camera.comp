@@ -19,7 +19,7 @@ void look_at(pelage_fragment f) {}
 
 /// What a record tells of its fragment.
 seen_fibre see_record(uvec4 record) {
-  return see(record.y, touch(uintBitsToFloat(record.x), uintBitsToFloat(record.z), uintBitsToFloat(record.w)));
+  return see(record.y, segment_in_pixel(uintBitsToFloat(record.x), uintBitsToFloat(record.z), uintBitsToFloat(record.w)));
 }
 
 /// The K nearest over each other, in all lanes.
