@@ -112,7 +112,7 @@ std::string translator::call(const CallExpr* c, position at) {
   if (name == "pelage::fetch_maximum") return atomic(c, c->getArg(0), "fetch_max", 1, at);
   if (const auto* m = dyn_cast<CXXMemberCallExpr>(c)) {
     const Expr* object = m->getImplicitObjectArgument();
-    if (std::regex_search(name, std::regex("^std::(__)?atomic_ref"))) {
+    if (llvm::StringRef(name).startswith("std::atomic_ref") || llvm::StringRef(name).startswith("std::__atomic_ref")) {
       return atomic(c, object, f->getNameAsString(), 0, at);
     }
     if (is_std_type(object->getType(), "span")) {

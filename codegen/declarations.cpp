@@ -174,22 +174,24 @@ void translator::translate_function(const FunctionDecl* f) {
               {method != nullptr && method->isVirtual(), "virtual function"},
               {f->isOverloadedOperator() && operator_name(f).empty(), "operator overload: call a function instead"}});
   const std::string result = type_of(f->getReturnType(), where);
-  std::string list = parameters(definition);
+  std::vector<std::string> list = parameters(definition);
   fresh_->body = glsl(definition->getBody(), position::statement);
   // No fused multiply-add may come between the two: `precise` covers all that leads to a result.
   const std::string precise = arithmetic_ && !f->getReturnType()->isVoidType() ? "precise " : "";
-  if (arithmetic_) list = std::regex_replace(list, std::regex("\\binout "), "precise inout ");
-  fresh_->declaration = precise + result + " " + fresh_->name + "(" + list + ")";
+  for (std::string& parameter : list) {
+    if (arithmetic_ && llvm::StringRef(parameter).startswith("inout ")) parameter = "precise " + parameter;
+  }
+  fresh_->declaration = precise + result + " " + fresh_->name + "(" + llvm::join(list, ", ") + ")";
   end(f);
 }
 
-std::string translator::parameters(const FunctionDecl* f) {
-  std::string list;
+std::vector<std::string> translator::parameters(const FunctionDecl* f) {
+  std::vector<std::string> list;
   const auto* method = dyn_cast<CXXMethodDecl>(f);
   fresh_->signature = fresh_->name + "(";
   if (method != nullptr && !method->isStatic() && !in_storage_) {
     const std::string type = type_of(context_.getRecordType(method->getParent()), f->getLocation());
-    list = (method->isConst() ? "" : "inout ") + type + " self";
+    list.push_back((method->isConst() ? "" : "inout ") + type + " self");
     fresh_->signature += type + ",";
     locals_.insert("self");
   }
@@ -202,7 +204,7 @@ std::string translator::parameters(const FunctionDecl* f) {
     if (p->getType()->isRValueReferenceType()) reject(p->getLocation(), "rvalue reference");
     const std::string type = type_of(p->getType(), p->getLocation());
     const std::string one = p->getName().empty() ? type : declared(p, local_name(p));
-    list += (list.empty() ? "" : ", ") + std::string(writes_to(p->getType()) ? "inout " : "") + one;
+    list.push_back((writes_to(p->getType()) ? "inout " : "") + one);
     fresh_->signature += type + ",";
   }
   return list;

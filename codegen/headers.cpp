@@ -7,6 +7,8 @@
 #include <clang/Lex/PreprocessingRecord.h>
 #include <clang/Lex/Preprocessor.h>
 
+#include <llvm/Support/Regex.h>
+
 #include <filesystem>
 
 namespace pelage::codegen {
@@ -47,9 +49,11 @@ unit* headers::unit_of(FileID file, bool wide) {
     u.mirror_text = (*mirror)->getBuffer().str();
   }
   // A size's macro is the one whose value a shader may use only once.
-  const std::regex size("(\\w+)_has_one_value_in_a_shader");
-  for (std::sregex_iterator one(u.mirror_text.begin(), u.mirror_text.end(), size), end; one != end; ++one)
-    u.sizes[one->str(1)];
+  const llvm::Regex size("([A-Za-z0-9_]+)_has_one_value_in_a_shader");
+  llvm::SmallVector<llvm::StringRef> found;
+  for (llvm::StringRef rest = u.mirror_text; size.match(rest, &found);
+       rest = rest.substr(found[0].end() - rest.begin()))
+    u.sizes[found[1].str()];
   return &u;
 }
 
@@ -64,11 +68,13 @@ bool headers::is_named(const Decl* d) {
 void headers::note_doc(const NamespaceDecl* space) {
   if (!is_named(space)) return;
   unit* u = unit_of(sources_.getFileID(sources_.getExpansionLoc(space->getLocation())));
-  const std::regex at_the_beginning("[^{]*\\{\\s*((?:///[^\n]*\n)+)\n");
-  std::cmatch first;
-  std::regex_search(sources_.getCharacterData(space->getBeginLoc()), first, at_the_beginning,
-                    std::regex_constants::match_continuous);
-  for (const std::string& doc : {doc_of(space, false), first.str(1)}) {
+  const llvm::StringRef inside =
+      llvm::StringRef(sources_.getCharacterData(space->getBeginLoc())).split('{').second.ltrim();
+  llvm::StringRef rest = inside;
+  while (rest.startswith("///"))
+    rest = rest.split('\n').second;
+  const llvm::StringRef first = rest.startswith("\n") ? inside.drop_back(rest.size()) : llvm::StringRef();
+  for (const std::string& doc : {doc_of(space, false), first.str()}) {
     if (doc.empty()) continue;
     const auto known = llvm::find_if(u->docs, [&](const auto& one) { return one.second == doc; });
     if (known == u->docs.end()) {

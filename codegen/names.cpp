@@ -5,7 +5,9 @@
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclCXX.h>
 
+#include <llvm/ADT/StringExtras.h>
 #include <llvm/ADT/StringSwitch.h>
+#include <llvm/Support/Regex.h>
 
 #include <iterator>
 #include <set>
@@ -27,10 +29,10 @@ bool is_reserved(const std::string& name) {
     precise coherent restrict readonly writeonly subroutine layout discard highp mediump lowp precision demote uint
     atomic_uint common partition active resource superp asm input output half fixed filter sizeof cast interface
     external noinline row_major packed int64_t uint64_t float16_t float64_t main self)");
-  static const std::regex types(
-      "[biudhf]?vec[234]|d?mat[234](x[234])?|subpassInput|sampler(Shadow)?|"
-      "(sampler|image|texture)([123]D|2DRect|2DMS|Cube|Buffer)(Array)?(Shadow)?");
-  return all.count(name) != 0 || std::regex_match(name, types);
+  static const llvm::Regex types(
+      "^([biudhf]?vec[234]|d?mat[234](x[234])?|subpassInput|sampler(Shadow)?|"
+      "(sampler|image|texture)([123]D|2DRect|2DMS|Cube|Buffer)(Array)?(Shadow)?)$");
+  return all.count(name) != 0 || types.match(name);
 }
 
 /// GLSL 4.60 §8: a local of such a name would hide the function from the calls that the translation makes.
@@ -68,7 +70,17 @@ std::string joined_names(const clang::NamedDecl* d, const char* between, const c
 }  // namespace
 
 std::string preprocessed(const std::string& expression) {
-  return std::regex_replace(expression, std::regex("([0-9])u"), "$1");
+  std::string text;
+  for (const char c : expression) {
+    if (c != 'u' || text.empty() || !llvm::isDigit(text.back())) text += c;
+  }
+  return text;
+}
+
+std::string replaced(std::string text, llvm::StringRef part, llvm::StringRef other) {
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + other.size()))
+    text.replace(at, part.size(), other);
+  return text;
 }
 
 std::string operator_name(const clang::NamedDecl* d) {
@@ -105,8 +117,11 @@ std::string doc_of(const clang::Decl* d, bool beside) {
   const clang::ASTContext& context = d->getASTContext();
   const clang::RawComment* comment = context.getRawCommentForDeclNoCache(d);
   if (comment == nullptr || comment->isTrailingComment() != beside) return {};
-  const std::string text = comment->getRawText(context.getSourceManager()).str();
-  return std::regex_replace(text, std::regex("\\s*\n\\s*"), "\n") + (beside ? "" : "\n");
+  llvm::SmallVector<llvm::StringRef> lines;
+  comment->getRawText(context.getSourceManager()).split(lines, '\n');
+  for (llvm::StringRef& line : lines)
+    line = line.trim();
+  return llvm::join(lines, "\n") + (beside ? "" : "\n");
 }
 
 bool is_builtin(const std::string& name) {

@@ -28,8 +28,10 @@ std::string formatted(const std::string& code) {
 }
 
 /// The macro that tells that a file has been included.
-std::string guard(const std::string& name) {
-  return llvm::StringRef(std::regex_replace(name, std::regex("\\.[^./]*$|[^A-Za-z0-9]"), "_")).upper() + "GLSL";
+std::string guard(std::string name) {
+  for (char& c : name)
+    c = llvm::isAlnum(c) ? llvm::toUpper(c) : '_';
+  return name;
 }
 
 std::string include_line(const unit& from, const std::string& path) {

@@ -76,7 +76,7 @@ class translator {
   void end(const clang::NamedDecl* d);
   std::string use(const clang::NamedDecl* d, clang::SourceLocation where);
   entity& slot(const clang::NamedDecl* d);
-  std::string parameters(const clang::FunctionDecl* f);
+  std::vector<std::string> parameters(const clang::FunctionDecl* f);
   void reject_any(clang::SourceLocation where, const std::vector<std::pair<bool, const char*>>& reasons);
   void check_alike(const entity& one, const entity& other, clang::SourceLocation where);
 
