@@ -77,12 +77,6 @@ std::string preprocessed(const std::string& expression) {
   return text;
 }
 
-std::string replaced(std::string text, llvm::StringRef part, llvm::StringRef other) {
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + other.size()))
-    text.replace(at, part.size(), other);
-  return text;
-}
-
 std::string operator_name(const clang::NamedDecl* d) {
   const auto* f = llvm::dyn_cast<clang::FunctionDecl>(d);
   if (f == nullptr || llvm::isa<clang::CXXMethodDecl>(f)) return {};

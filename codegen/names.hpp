@@ -29,9 +29,6 @@ template <class... Parts>
 /// An expression of sizes without the literals' suffixes, which the preprocessor does not know.
 [[nodiscard]] std::string preprocessed(const std::string& expression);
 
-/// A text with another in the place of one of its parts, wherever that stands.
-[[nodiscard]] std::string replaced(std::string text, llvm::StringRef part, llvm::StringRef other);
-
 /// An operator before its operand: -(-x), for --x is something else.
 [[nodiscard]] inline std::string prefixed(const std::string& op, const std::string& operand) {
   return op + (operand.rfind(op, 0) == 0 ? "(" + operand + ")" : operand);

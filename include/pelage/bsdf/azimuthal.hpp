@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <concepts>
 
@@ -59,3 +60,4 @@ Real sample_azimuthal(const azimuthal_lobe<Real>& lobe, Real u) noexcept {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

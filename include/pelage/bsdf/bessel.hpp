@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <cmath>
 #include <concepts>
@@ -99,3 +100,4 @@ Real log_bessel_i0(Real x) noexcept {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -6,6 +6,7 @@
 #include <pelage/bsdf/interface.hpp>
 #include <pelage/bsdf/longitudinal.hpp>
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <array>
 #include <cstdint>
@@ -247,3 +248,4 @@ Real chiang_density(const chiang_fibre<Real>& fibre, const chiang_view<Real>& vi
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

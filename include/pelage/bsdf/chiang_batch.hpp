@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/bsdf/chiang.hpp>
 #include <pelage/core/assert.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/lanes.hpp>
 
 #include <array>
@@ -148,3 +149,4 @@ void evaluate_chiang_batch(const chiang_batch_parameters& parameters, const chia
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/bsdf/chiang.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -63,3 +64,4 @@ chiang_result<Real> evaluate_chiang_far(const chiang_fibre<Real>& fibre, const f
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/bsdf/chiang_sampling.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/lanes.hpp>
 
 #include <array>
@@ -173,3 +174,4 @@ inline chiang_sample<float> sample_chiang(const chiang_quad_fibre& fibre, const 
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

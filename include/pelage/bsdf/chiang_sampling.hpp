@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/bsdf/chiang.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -98,3 +99,4 @@ chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -183,3 +184,4 @@ glm::vec<3, Real> dual_scattering(const dual_averages<Real>& averages, const dua
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

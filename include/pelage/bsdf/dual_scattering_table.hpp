@@ -5,6 +5,7 @@
 #include <pelage/bsdf/dual_scattering.hpp>
 #include <pelage/bsdf/marschner.hpp>
 #include <pelage/core/assert.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -179,3 +180,4 @@ dual_averages<Real> look_up_dual_scattering(std::span<const dual_averages<Real>>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/bsdf/interface.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 
 #include <concepts>
@@ -26,3 +27,4 @@ template <std::floating_point Real>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

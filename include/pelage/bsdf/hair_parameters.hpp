@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <array>
 #include <concepts>
@@ -134,3 +135,4 @@ Real roughness_of_width(Real width) noexcept {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 namespace pelage {
 
@@ -74,3 +75,4 @@ interface_shares<Real> bravais_interface(Real cos_outside, Real cos_inside, Real
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 #include <pelage/core/real_number.hpp>
 #include <pelage/core/vector_math.hpp>
@@ -44,3 +45,4 @@ kajiya_kay_lobes<Real> kajiya_kay(const glm::vec<3, Real>& tangent, const glm::v
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/bsdf/kajiya_kay.hpp>
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 #include <pelage/core/vector_math.hpp>
 
@@ -70,3 +71,4 @@ inline glm::vec3 shifted_tangent(const glm::vec3& tangent, const glm::vec3& norm
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

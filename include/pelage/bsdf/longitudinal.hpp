@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/bsdf/bessel.hpp>
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -134,3 +135,4 @@ rotation<Real> sample_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

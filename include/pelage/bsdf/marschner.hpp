@@ -4,6 +4,7 @@
 #include <pelage/bsdf/interface.hpp>
 #include <pelage/bsdf/scattering_roots.hpp>
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <array>
 #include <concepts>
@@ -198,3 +199,4 @@ marschner_result<Real> evaluate_marschner(const marschner_parameters<Real>& para
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/bsdf/marschner.hpp>
 #include <pelage/core/assert.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -122,3 +123,4 @@ marschner_lobes<Real> look_up_marschner(const marschner_table<Real>& table, Real
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/bsdf/chiang_far_field.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <array>
 #include <concepts>
@@ -54,3 +55,4 @@ std::array<Real, 3> mean_passage(Real eta, const std::array<Real, 3>& sigma_a, R
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <array>
 #include <cmath>
@@ -271,3 +272,4 @@ scattering_roots<Real> find_scattering_roots(int path, Real phi, Real excess) no
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 
 #include <cstdint>
@@ -47,3 +48,4 @@ constexpr natural_of<Real> to_fixed(Real x) noexcept {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/composite/weighted_sum.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 
 namespace pelage {
@@ -28,3 +29,4 @@ namespace pelage {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/composite/transmittance.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -49,3 +50,4 @@ constexpr pixel_radiance<Real> add_fibre(const pixel_radiance<Real>& pixel, cons
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/core/assert.hpp>
 #include <pelage/core/atomic_cells.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/fragment.hpp>
 #include <pelage/core/mixed_bits.hpp>
 
@@ -100,3 +101,4 @@ template <std::uint32_t Samples, cell_storage Storage>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

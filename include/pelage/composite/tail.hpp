@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/composite/optical_depth.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 
 #include <glm/vec3.hpp>
@@ -68,3 +69,4 @@ constexpr glm::vec3 mean_colour(const tail& t) noexcept {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/composite/tail.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/lane_moves.hpp>
 #include <pelage/core/lanes.hpp>
 
@@ -40,3 +41,4 @@ template <int W>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
+
 #include <glm/vec3.hpp>
 
 #include <concepts>
@@ -24,3 +26,4 @@ template <std::floating_point Real>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/composite/tail.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 
 #include <glm/vec3.hpp>
@@ -52,3 +53,4 @@ struct weighted_average {
 };
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/composite/tail.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <glm/vec3.hpp>
 
@@ -30,3 +31,4 @@ namespace pelage {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

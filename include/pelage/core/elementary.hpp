@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 
 #include <cmath>
@@ -231,3 +232,4 @@ rotation<Real> rotation_by(Real x) noexcept {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

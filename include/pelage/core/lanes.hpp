@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 #include <pelage/core/real_number.hpp>
 
@@ -237,3 +238,4 @@ std::uint32_t sum_saturating(lanes<W, std::uint32_t> x) noexcept {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

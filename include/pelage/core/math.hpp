@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/real_number.hpp>
 
 #include <cmath>
@@ -111,3 +112,4 @@ constexpr Real power_of_cosine(Real x, Real y) noexcept {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

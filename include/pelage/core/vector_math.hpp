@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/real_number.hpp>
 
 #include <glm/geometric.hpp>
@@ -38,3 +39,4 @@ template <real_number Real>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

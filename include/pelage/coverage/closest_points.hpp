@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 #include <pelage/core/real_number.hpp>
 #include <pelage/core/vector_math.hpp>
@@ -59,3 +60,4 @@ closest_pair<Real> closest_points(const glm::vec<3, Real>& origin, const glm::ve
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/real_number.hpp>
 
 #include <limits>
@@ -80,3 +81,4 @@ Real disc_strip_share(Real offset, Real fibre_radius, Real disc_radius) noexcept
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

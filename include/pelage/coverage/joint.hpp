@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/elementary.hpp>
+#include <pelage/core/exact_begin.hpp>
 
 #include <glm/vec2.hpp>
 
@@ -50,3 +51,4 @@ Real owned_by_segment(const strand_joint<Real>& start, const strand_joint<Real>&
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 
 #include <glm/vec2.hpp>
@@ -51,3 +52,4 @@ Real line_width_share(const glm::vec<2, Real>& extent, Real fibre_radius, Real p
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
+
 #include <concepts>
 
 namespace pelage {
@@ -33,3 +35,4 @@ template <std::floating_point Real>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/vector_math.hpp>
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/ray_cone.hpp>
@@ -124,3 +125,4 @@ segment_quad<Real> expand_segment(const glm::vec<3, Real>& start, const glm::vec
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/assert.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 #include <pelage/visibility/deep_shadow_vertex.hpp>
 
@@ -185,3 +186,4 @@ template <deep_shadow_storage Storage>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

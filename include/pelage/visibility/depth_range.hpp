@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/core/assert.hpp>
 #include <pelage/core/atomic_cells.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/fragment.hpp>
 #include <pelage/core/math.hpp>
 
@@ -88,3 +89,4 @@ template <cell_storage Storage>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

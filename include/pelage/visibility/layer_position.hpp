@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
+
 #include <cmath>
 #include <cstdint>
 
@@ -57,3 +59,4 @@ namespace pelage {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/mixed_bits.hpp>
 
 #include <glm/vec2.hpp>
@@ -20,3 +21,4 @@ namespace pelage {
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

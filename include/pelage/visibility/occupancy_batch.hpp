@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/assert.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/visibility/occupancy_map.hpp>
 
 #include <array>
@@ -98,3 +99,4 @@ void amounts_before(const occupancy_map<Slices, Slabs>& map, std::span<const flo
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/core/assert.hpp>
 #include <pelage/core/atomic_cells.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/visibility/layer_position.hpp>
 
 #include <array>
@@ -140,3 +141,4 @@ template <class Map, cell_storage Storage>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>

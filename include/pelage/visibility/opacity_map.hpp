@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/core/assert.hpp>
 #include <pelage/core/atomic_cells.hpp>
+#include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 #include <pelage/visibility/layer_position.hpp>
 
@@ -104,3 +105,4 @@ template <std::uint32_t Layers, cell_storage Storage>
 }
 
 }  // namespace pelage
+#include <pelage/core/exact_end.hpp>
