@@ -20,13 +20,13 @@ llvm::StringRef word_at(llvm::StringRef text) {
 
 /// How long `<K, 2 * N>` is, at the beginning of a text; 0 where there is none.
 std::size_t arguments_length(llvm::StringRef text) {
+  if (!text.startswith("<")) return 0;
   std::size_t depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (c == '<') ++depth;
-    if (c == '>' && depth > 0) --depth;
-    if (depth == 0) return c == '>' ? i + 1 : 0;
-    if (c != '<' && c != '>' && !is_of_word(c) && !llvm::StringRef(" ,:*+").contains(c)) return 0;
+    if (c == '>' && --depth == 0) return i + 1;
+    if (!is_of_word(c) && !llvm::StringRef("<> ,:*+").contains(c)) return 0;
   }
   return 0;
 }
@@ -58,13 +58,13 @@ written_name name_at(llvm::StringRef text) {
 }  // namespace
 
 std::string glossary::name(const std::string& written, const std::string& scope) const {
-  for (std::size_t end = scope.size(); end != 0; end = scope.rfind("::", end - 1)) {
-    if (end == std::string::npos) break;
-    const auto found = names.find(scope.substr(0, end) + "::" + written);
+  for (std::string place = scope + "::";;) {
+    const auto found = names.find(place + written);
     if (found != names.end()) return found->second;
+    if (place.empty()) return {};
+    const std::size_t outer = llvm::StringRef(place).drop_back(2).rfind("::");
+    place.resize(outer == llvm::StringRef::npos ? 0 : outer + 2);
   }
-  const auto found = names.find(written);
-  return found == names.end() ? std::string() : found->second;
 }
 
 std::string glossary::file(llvm::StringRef written, const std::string& header) const {

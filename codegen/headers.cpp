@@ -51,8 +51,7 @@ unit* headers::unit_of(FileID file, bool wide) {
   // A size's macro is the one whose value a shader may use only once.
   const llvm::Regex size("([A-Za-z0-9_]+)_has_one_value_in_a_shader");
   llvm::SmallVector<llvm::StringRef> found;
-  for (llvm::StringRef rest = u.mirror_text; size.match(rest, &found);
-       rest = rest.substr(found[0].end() - rest.begin()))
+  for (llvm::StringRef rest = u.mirror_text; size.match(rest, &found); rest = rest.split(found[0]).second)
     u.sizes[found[1].str()];
   return &u;
 }

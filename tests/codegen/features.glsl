@@ -237,7 +237,7 @@ struct features_ring {
 };
 
 void features_ring_push(inout features_ring self, uint x) {
-  // `next` counts from 0, as features_empty_ring() leaves it.
+  // `next` counts from 0, as features_empty_ring() leaves it (for features_sample_pair_parts>1 too).
   self.entry[self.next % FEATURES_RING_N] = x;
   ++self.next;
 }

@@ -225,7 +225,7 @@ struct ring {
   std::uint32_t next;
 
   void push(std::uint32_t x) noexcept {
-    // `next` counts from 0, as empty_ring() leaves it.
+    // `next` counts from 0, as empty_ring() leaves it (for sample_pair::parts>1 too).
     entry[next % N] = x;
     ++next;
   }

@@ -8,7 +8,9 @@ include=$1 generated=$2
 shift 2
 compile=("$@" -I"$generated" -I"$include")
 
-mapfile -t headers < <(find "$include/pelage" "$generated/pelage" -name '*.hpp' -printf 'pelage/%P\n' | sort -u)
+# exact_end.hpp ends what another file began.
+mapfile -t headers < <(find "$include/pelage" "$generated/pelage" -name '*.hpp' ! -name exact_end.hpp -printf 'pelage/%P\n' |
+  sort -u)
 if ((${#headers[@]} == 0)); then
   echo "no header under $include/pelage" >&2
   exit 1
