@@ -28,4 +28,14 @@ trap 'rm -rf "$work"' EXIT
 printf '#include <%s>\n' "${headers[@]}" >"$work/one.cpp"
 { cat "$work/one.cpp" && echo 'int main() {}'; } >"$work/two.cpp"
 "${compile[@]}" "$work/one.cpp" "$work/two.cpp" -o "$work/both"
+
+# GLM's switches, as engines set them.
+while read -ra switches; do
+  "${compile[@]}" "${switches[@]/#/-DGLM_FORCE_}" -fsyntax-only "$work/one.cpp" ||
+    { echo "not with GLM_FORCE_ ${switches[*]}" >&2; exit 1; }
+done <<<'INTRINSICS
+INTRINSICS DEFAULT_ALIGNED_GENTYPES
+XYZW_ONLY EXPLICIT_CTOR
+SWIZZLE
+LEFT_HANDED DEPTH_ZERO_TO_ONE'
 echo "${#headers[@]} headers compile alone and link together"

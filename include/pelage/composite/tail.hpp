@@ -33,7 +33,7 @@ struct tail {
 
 /// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB,
 /// [0, inf]; alpha · colour is clamped to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
-[[nodiscard]] constexpr tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept;
+[[nodiscard]] inline tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept;
 
 /// Both tails in one. Associative and commutative, empty_tail() is the identity.
 [[nodiscard]] constexpr tail merge(const tail& a, const tail& b) noexcept {
@@ -48,18 +48,18 @@ struct tail {
 
 /// The mean colour of the tail's fragments, weighted by alpha; black when it is empty, or when no alpha in it reaches
 /// 2⁻²¹. What the tail adds to a pixel is this times 1 - transmittance_of(t).
-[[nodiscard]] constexpr glm::vec3 mean_colour(const tail& t) noexcept;
+[[nodiscard]] inline glm::vec3 mean_colour(const tail& t) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
-constexpr tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept {
+inline tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept {
   const float held = saturate(alpha);
   const tail one = tail{optical_depth(held), to_fixed(held), to_fixed(held * colour.x), to_fixed(held * colour.y),
                         to_fixed(held * colour.z)};
   return merge(t, one);
 }
 
-constexpr glm::vec3 mean_colour(const tail& t) noexcept {
+inline glm::vec3 mean_colour(const tail& t) noexcept {
   if (t.weight == 0u) {
     return glm::vec3(0.0f);
   }

@@ -24,7 +24,7 @@ struct weighted_average {
   [[nodiscard]] static constexpr weighted_average empty() noexcept { return weighted_average{empty_tail(), 0u}; }
 
   /// Adds a fragment. Parameters as add_fragment() of a tail.
-  constexpr void add(float alpha, const glm::vec3& colour) noexcept {
+  void add(float alpha, const glm::vec3& colour) noexcept {
     sums = add_fragment(sums, alpha, colour);
     count = add_saturating(count, 1u);
   }
@@ -46,7 +46,7 @@ struct weighted_average {
   }
 
   /// What is seen of the pixel in front of a background.
-  [[nodiscard]] constexpr glm::vec3 resolve(const glm::vec3& background) const noexcept {
+  [[nodiscard]] glm::vec3 resolve(const glm::vec3& background) const noexcept {
     const float passed = transmittance();
     return mean_colour(sums) * (1.0f - passed) + background * passed;
   }

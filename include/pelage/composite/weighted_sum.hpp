@@ -16,7 +16,7 @@ namespace pelage {
 
 /// The tail with one more fragment of a weight of its own. `weight`: [0, 1] so that the sums reach 4096 fragments,
 /// alpha included, to the nearest 2⁻²⁰; NaN counts as 0. `colour`: linear RGB, [0, inf]. `alpha`: clamped to [0, 1].
-[[nodiscard]] constexpr tail add_weighted(const tail& t, float alpha, float weight, const glm::vec3& colour) noexcept {
+[[nodiscard]] inline tail add_weighted(const tail& t, float alpha, float weight, const glm::vec3& colour) noexcept {
   const float held = weight > 0.0f ? weight : 0.0f;
   const tail one = tail{optical_depth(alpha), to_fixed(held), to_fixed(held * colour.x), to_fixed(held * colour.y),
                         to_fixed(held * colour.z)};
@@ -25,7 +25,7 @@ namespace pelage {
 
 /// What is seen of a tail before a background: its mean colour by weight over what it lets through. Black for the
 /// fibres' part where no weight reaches 2⁻²¹. The scale by which the mean is put right is Λ = 1 - transmittance.
-[[nodiscard]] constexpr glm::vec3 resolve(const tail& t, const glm::vec3& background) noexcept {
+[[nodiscard]] inline glm::vec3 resolve(const tail& t, const glm::vec3& background) noexcept {
   const float passed = transmittance_of(t);
   return mean_colour(t) * (1.0f - passed) + background * passed;
 }

@@ -13,7 +13,7 @@ namespace pelage {
 /// An offset for a look-up in a map, in texels, [-½, ½) on each axis: added to the place that a fragment looks up, it
 /// turns the steps between texels into noise of half a texel. Even over the square; the same for the same seed, so
 /// name what does not change from frame to frame, such as a fragment's id mixed with its pixel's number.
-[[nodiscard]] constexpr glm::vec2 lookup_jitter(std::uint32_t seed) noexcept {
+[[nodiscard]] inline glm::vec2 lookup_jitter(std::uint32_t seed) noexcept {
   const std::uint32_t x = mixed_bits(seed + 0x9e3779b9u);
   const std::uint32_t y = mixed_bits(x + 0x9e3779b9u);
   return glm::vec2(static_cast<float>(x >> 8u) * (1.0f / 16777216.0f) - 0.5f,
