@@ -24,8 +24,8 @@ concept real_number = std::floating_point<typename number_parts<T>::each>;
 
 /// float or a pack of floats, for formulas that work on a float's bits.
 template <class T>
-concept single_precision = std::same_as < typename number_parts<T>::each,
-float > ;
+concept single_precision = std::is_same < typename number_parts<T>::each,
+float > ::value;
 
 /// std::uint32_t or a pack of it.
 template <class T>

@@ -74,23 +74,7 @@ struct deep_shadow_builder {
 
   /// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: clamped to [0, 1].
   template <deep_shadow_storage Storage>
-  constexpr void add(Storage& storage, float depth, float alpha) noexcept {
-    if (depth != depth) {
-      return;
-    }
-    const float held = held_depth(depth);
-    if (count == 0u) {
-      begin_line(storage, deep_shadow_vertex{held, 1.0f});
-    } else {
-      PELAGE_ASSERT(held >= pending);
-      if (held > pending) {
-        pass(storage, pending, transmittance);
-        pass(storage, held, transmittance);
-      }
-    }
-    pending = held;
-    transmittance = transmittance * (1.0f - saturate(alpha));
-  }
+  constexpr void add(Storage& storage, float depth, float alpha) noexcept;
 
   /// Writes what is still open.
   template <deep_shadow_storage Storage>
@@ -106,29 +90,7 @@ struct deep_shadow_builder {
 
   /// For add() and finish(): the line must pass `depth` within the tolerance of `truth`.
   template <deep_shadow_storage Storage>
-  constexpr void pass(Storage& storage, float depth, float truth) noexcept {
-    const float least = saturate(truth - tolerance);
-    const float most = saturate(truth + tolerance);
-    if (depth > from.depth) {
-      const float down = (least - from.transmittance) / (depth - from.depth);
-      const float up = (most - from.transmittance) / (depth - from.depth);
-      const bool falls = tolerance == 0.0f && truth < from.transmittance;  // however small
-      if (falls || up < least_slope || down > greatest_slope) {
-        end_line(storage);
-      }
-    }
-    if (depth > from.depth) {
-      const float down = (least - from.transmittance) / (depth - from.depth);
-      const float up = (most - from.transmittance) / (depth - from.depth);
-      least_slope = down > least_slope ? down : least_slope;
-      greatest_slope = up < greatest_slope ? up : greatest_slope;
-      low = depth > last ? least : low;  // at one depth the truth falls: the first is the higher
-      high = most;
-      last = depth;
-    } else if (from.transmittance > most) {
-      begin_line(storage, deep_shadow_vertex{depth, truth});
-    }
-  }
+  constexpr void pass(Storage& storage, float depth, float truth) noexcept;
 
   /// For pass() and finish(): ends the line at `last` with its middle slope.
   template <deep_shadow_storage Storage>
@@ -183,6 +145,52 @@ template <deep_shadow_storage Storage>
   const float along = (at - a.depth) / (b.depth - a.depth);
   const float on_line = a.transmittance + (b.transmittance - a.transmittance) * along;
   return on_line > b.transmittance ? on_line : b.transmittance;
+}
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <deep_shadow_storage Storage>
+constexpr void deep_shadow_builder::add(Storage& storage, float depth, float alpha) noexcept {
+  if (depth != depth) {
+    return;
+  }
+  const float held = held_depth(depth);
+  if (count == 0u) {
+    begin_line(storage, deep_shadow_vertex{held, 1.0f});
+  } else {
+    PELAGE_ASSERT(held >= pending);
+    if (held > pending) {
+      pass(storage, pending, transmittance);
+      pass(storage, held, transmittance);
+    }
+  }
+  pending = held;
+  transmittance = transmittance * (1.0f - saturate(alpha));
+}
+
+template <deep_shadow_storage Storage>
+constexpr void deep_shadow_builder::pass(Storage& storage, float depth, float truth) noexcept {
+  const float least = saturate(truth - tolerance);
+  const float most = saturate(truth + tolerance);
+  if (depth > from.depth) {
+    const float down = (least - from.transmittance) / (depth - from.depth);
+    const float up = (most - from.transmittance) / (depth - from.depth);
+    const bool falls = tolerance == 0.0f && truth < from.transmittance;  // however small
+    if (falls || up < least_slope || down > greatest_slope) {
+      end_line(storage);
+    }
+  }
+  if (depth > from.depth) {
+    const float down = (least - from.transmittance) / (depth - from.depth);
+    const float up = (most - from.transmittance) / (depth - from.depth);
+    least_slope = down > least_slope ? down : least_slope;
+    greatest_slope = up < greatest_slope ? up : greatest_slope;
+    low = depth > last ? least : low;  // at one depth the truth falls: the first is the higher
+    high = most;
+    last = depth;
+  } else if (from.transmittance > most) {
+    begin_line(storage, deep_shadow_vertex{depth, truth});
+  }
 }
 
 }  // namespace pelage

@@ -56,23 +56,7 @@ struct density_clusters {
 
   /// The estimate of how many fragments lie before a position, from 0 to their number. Never falls as the position
   /// grows; exact at the ends of bins. O(K).
-  [[nodiscard]] float count_before(float position) const noexcept {
-    float before = 0.0f;
-    for (std::uint32_t i = 0u; i < K; ++i) {
-      const float number = static_cast<float>(count[i]);
-      const float inside = saturate(position - static_cast<float>(i));
-      if (count[i] > 0u) {
-        const float mean = static_cast<float>(sum[i]) / number;
-        const float variance = static_cast<float>(squares[i]) / number - mean * mean;
-        const float reach = 1.73205081f * safe_sqrt(variance);
-        const float from = saturate((mean - reach) * (1.0f / 512.0f));
-        const float to = saturate((mean + reach) * (1.0f / 512.0f));
-        const float whole = inside > to || inside == 1.0f ? 1.0f : 0.0f;
-        before += number * (to > from && inside < 1.0f ? saturate((inside - from) / (to - from)) : whole);
-      }
-    }
-    return before;
-  }
+  [[nodiscard]] float count_before(float position) const noexcept;
 };
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · 3 K, (texel + 1) · 3 K) of the storage,
@@ -98,6 +82,27 @@ template <std::uint32_t K, cell_storage Storage>
     clusters.squares[i] = storage.load(texel * 3u * K + 2u * K + i, std::memory_order_relaxed);
   }
   return clusters;
+}
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <std::uint32_t K>
+float density_clusters<K>::count_before(float position) const noexcept {
+  float before = 0.0f;
+  for (std::uint32_t i = 0u; i < K; ++i) {
+    const float number = static_cast<float>(count[i]);
+    const float inside = saturate(position - static_cast<float>(i));
+    if (count[i] > 0u) {
+      const float mean = static_cast<float>(sum[i]) / number;
+      const float variance = static_cast<float>(squares[i]) / number - mean * mean;
+      const float reach = 1.73205081f * safe_sqrt(variance);
+      const float from = saturate((mean - reach) * (1.0f / 512.0f));
+      const float to = saturate((mean + reach) * (1.0f / 512.0f));
+      const float whole = inside > to || inside == 1.0f ? 1.0f : 0.0f;
+      before += number * (to > from && inside < 1.0f ? saturate((inside - from) / (to - from)) : whole);
+    }
+  }
+  return before;
 }
 
 }  // namespace pelage

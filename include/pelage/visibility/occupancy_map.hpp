@@ -85,32 +85,7 @@ struct occupancy_map {
   /// order. The slabs before it count whole, its own slab by the share of its set slices that lie before, the slice
   /// itself linearly. [Sintorn & Assarsson 2009, §3.2] Never falls as the position grows; exact at the ends of slabs
   /// (sums from 2²⁴ on by a float's own precision); 0 at 0 and total() at Slices. O(Slices / Slabs / 32 + Slabs).
-  [[nodiscard]] constexpr float amount_before(float position) const noexcept {
-    const std::uint32_t slice = layer_at(position, Slices);
-    const std::uint32_t slab = slice / slab_slices;
-    std::uint32_t before = 0u;
-    for (std::uint32_t i = 0u; i < Slabs; ++i) {
-      before = add_saturating(before, i < slab ? amount[i] : 0u);
-    }
-    const std::uint32_t first = slab * slab_slices;  // slice, and where in its word a slab smaller than that begins
-    const std::uint32_t of_slab = bits_below(slab_slices) << (first % 32u);
-    std::uint32_t set_before = 0u;
-    std::uint32_t set = 0u;
-    for (std::uint32_t i = 0u; i < (slab_slices + 31u) / 32u; ++i) {
-      const std::uint32_t word_first = (first / 32u + i) * 32u;
-      const std::uint32_t bits = occupied[first / 32u + i] & of_slab;
-      const std::uint32_t below = slice > word_first ? bits_below(slice - word_first) : 0u;
-      set_before += static_cast<std::uint32_t>(std::popcount(bits & below));
-      set += static_cast<std::uint32_t>(std::popcount(bits));
-    }
-    const std::uint32_t here = (occupied[slice / 32u] >> (slice % 32u)) & 1u;
-    const float inside = static_cast<float>(here) * (position - static_cast<float>(slice));
-    const float share = set > 0u ? (static_cast<float>(set_before) + inside) / static_cast<float>(set) : 0.0f;
-    // Rounding may not lift the sum beyond what the next slab begins with.
-    const float most = static_cast<float>(add_saturating(before, amount[slab]));
-    const float sum = static_cast<float>(before) + share * static_cast<float>(amount[slab]);
-    return sum < most ? sum : most;
-  }
+  [[nodiscard]] constexpr float amount_before(float position) const noexcept;
 };
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
@@ -138,6 +113,36 @@ template <class Map, cell_storage Storage>
     map.amount[i] = load_marked(storage, first + Map::words + i, first + Map::cells - 1u, 1u << i);
   }
   return map;
+}
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <std::uint32_t Slices, std::uint32_t Slabs>
+constexpr float occupancy_map<Slices, Slabs>::amount_before(float position) const noexcept {
+  const std::uint32_t slice = layer_at(position, Slices);
+  const std::uint32_t slab = slice / slab_slices;
+  std::uint32_t before = 0u;
+  for (std::uint32_t i = 0u; i < Slabs; ++i) {
+    before = add_saturating(before, i < slab ? amount[i] : 0u);
+  }
+  const std::uint32_t first = slab * slab_slices;  // slice, and where in its word a slab smaller than that begins
+  const std::uint32_t of_slab = bits_below(slab_slices) << (first % 32u);
+  std::uint32_t set_before = 0u;
+  std::uint32_t set = 0u;
+  for (std::uint32_t i = 0u; i < (slab_slices + 31u) / 32u; ++i) {
+    const std::uint32_t word_first = (first / 32u + i) * 32u;
+    const std::uint32_t bits = occupied[first / 32u + i] & of_slab;
+    const std::uint32_t below = slice > word_first ? bits_below(slice - word_first) : 0u;
+    set_before += static_cast<std::uint32_t>(std::popcount(bits & below));
+    set += static_cast<std::uint32_t>(std::popcount(bits));
+  }
+  const std::uint32_t here = (occupied[slice / 32u] >> (slice % 32u)) & 1u;
+  const float inside = static_cast<float>(here) * (position - static_cast<float>(slice));
+  const float share = set > 0u ? (static_cast<float>(set_before) + inside) / static_cast<float>(set) : 0.0f;
+  // Rounding may not lift the sum beyond what the next slab begins with.
+  const float most = static_cast<float>(add_saturating(before, amount[slab]));
+  const float sum = static_cast<float>(before) + share * static_cast<float>(amount[slab]);
+  return sum < most ? sum : most;
 }
 
 }  // namespace pelage

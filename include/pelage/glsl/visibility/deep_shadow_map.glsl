@@ -64,27 +64,10 @@ precise pelage_deep_shadow_builder pelage_deep_shadow_builder_begin(uint first, 
                                     0.0, 0.0);
 }
 
-void pelage_deep_shadow_builder_begin_line(precise inout pelage_deep_shadow_builder self, pelage_deep_shadow_vertex at);
+/// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: clamped to [0, 1].
+void pelage_deep_shadow_builder_add(precise inout pelage_deep_shadow_builder self, float depth, float alpha);
 
 void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder self, float depth, float truth);
-
-/// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: clamped to [0, 1].
-void pelage_deep_shadow_builder_add(precise inout pelage_deep_shadow_builder self, float depth, float alpha) {
-  if (depth != depth) {
-    return;
-  }
-  const float held = pelage_held_depth(depth);
-  if (self.count == 0u) {
-    pelage_deep_shadow_builder_begin_line(self, pelage_deep_shadow_vertex(held, 1.0));
-  } else {
-    if (held > self.pending) {
-      pelage_deep_shadow_builder_pass(self, self.pending, self.transmittance);
-      pelage_deep_shadow_builder_pass(self, held, self.transmittance);
-    }
-  }
-  self.pending = held;
-  self.transmittance = self.transmittance * (1.0 - pelage_saturate(alpha));
-}
 
 void pelage_deep_shadow_builder_end_line(precise inout pelage_deep_shadow_builder self);
 
@@ -101,29 +84,9 @@ void pelage_deep_shadow_builder_finish(inout pelage_deep_shadow_builder self) {
 
 /// For pelage_deep_shadow_builder_add() and pelage_deep_shadow_builder_finish(): the line must pass `depth` within the
 /// tolerance of `truth`.
-void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder self, float depth, float truth) {
-  const float least = pelage_saturate(truth - self.tolerance);
-  const float most = pelage_saturate(truth + self.tolerance);
-  if (depth > self.from.depth) {
-    const float down = (least - self.from.transmittance) / (depth - self.from.depth);
-    const float up = (most - self.from.transmittance) / (depth - self.from.depth);
-    const bool falls = self.tolerance == 0.0 && truth < self.from.transmittance;  // however small
-    if (falls || up < self.least_slope || down > self.greatest_slope) {
-      pelage_deep_shadow_builder_end_line(self);
-    }
-  }
-  if (depth > self.from.depth) {
-    const float down = (least - self.from.transmittance) / (depth - self.from.depth);
-    const float up = (most - self.from.transmittance) / (depth - self.from.depth);
-    self.least_slope = down > self.least_slope ? down : self.least_slope;
-    self.greatest_slope = up < self.greatest_slope ? up : self.greatest_slope;
-    self.low = depth > self.last ? least : self.low;  // at one depth the truth falls: the first is the higher
-    self.high = most;
-    self.last = depth;
-  } else if (self.from.transmittance > most) {
-    pelage_deep_shadow_builder_begin_line(self, pelage_deep_shadow_vertex(depth, truth));
-  }
-}
+void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder self, float depth, float truth);
+
+void pelage_deep_shadow_builder_begin_line(precise inout pelage_deep_shadow_builder self, pelage_deep_shadow_vertex at);
 
 /// For pelage_deep_shadow_builder_pass() and pelage_deep_shadow_builder_finish(): ends the line at `last` with its
 /// middle slope.
@@ -175,6 +138,49 @@ precise float pelage_deep_shadow_at(uint first, uint count, float depth) {
   const float along = (at - a.depth) / (b.depth - a.depth);
   const float on_line = a.transmittance + (b.transmittance - a.transmittance) * along;
   return on_line > b.transmittance ? on_line : b.transmittance;
+}
+
+// ---------------------------------------------------------------------------------------------------------
+
+void pelage_deep_shadow_builder_add(precise inout pelage_deep_shadow_builder self, float depth, float alpha) {
+  if (depth != depth) {
+    return;
+  }
+  const float held = pelage_held_depth(depth);
+  if (self.count == 0u) {
+    pelage_deep_shadow_builder_begin_line(self, pelage_deep_shadow_vertex(held, 1.0));
+  } else {
+    if (held > self.pending) {
+      pelage_deep_shadow_builder_pass(self, self.pending, self.transmittance);
+      pelage_deep_shadow_builder_pass(self, held, self.transmittance);
+    }
+  }
+  self.pending = held;
+  self.transmittance = self.transmittance * (1.0 - pelage_saturate(alpha));
+}
+
+void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder self, float depth, float truth) {
+  const float least = pelage_saturate(truth - self.tolerance);
+  const float most = pelage_saturate(truth + self.tolerance);
+  if (depth > self.from.depth) {
+    const float down = (least - self.from.transmittance) / (depth - self.from.depth);
+    const float up = (most - self.from.transmittance) / (depth - self.from.depth);
+    const bool falls = self.tolerance == 0.0 && truth < self.from.transmittance;  // however small
+    if (falls || up < self.least_slope || down > self.greatest_slope) {
+      pelage_deep_shadow_builder_end_line(self);
+    }
+  }
+  if (depth > self.from.depth) {
+    const float down = (least - self.from.transmittance) / (depth - self.from.depth);
+    const float up = (most - self.from.transmittance) / (depth - self.from.depth);
+    self.least_slope = down > self.least_slope ? down : self.least_slope;
+    self.greatest_slope = up < self.greatest_slope ? up : self.greatest_slope;
+    self.low = depth > self.last ? least : self.low;  // at one depth the truth falls: the first is the higher
+    self.high = most;
+    self.last = depth;
+  } else if (self.from.transmittance > most) {
+    pelage_deep_shadow_builder_begin_line(self, pelage_deep_shadow_vertex(depth, truth));
+  }
 }
 
 #endif

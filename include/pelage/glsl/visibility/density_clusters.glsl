@@ -74,23 +74,7 @@ void pelage_density_clusters_add(inout pelage_density_clusters self, float posit
 
 /// The estimate of how many fragments lie before a position, from 0 to their number. Never falls as the position
 /// grows; exact at the ends of bins. O(K).
-precise float pelage_density_clusters_count_before(pelage_density_clusters self, float position) {
-  float before = 0.0;
-  for (uint i = 0u; i < PELAGE_DENSITY_CLUSTERS_K; ++i) {
-    const float number = float(self.count[i]);
-    const float inside = pelage_saturate(position - float(i));
-    if (self.count[i] > 0u) {
-      const float mean = float(self.sum[i]) / number;
-      const float variance = float(self.squares[i]) / number - mean * mean;
-      const float reach = 1.73205081 * pelage_safe_sqrt(variance);
-      const float from = pelage_saturate((mean - reach) * (1.0 / 512.0));
-      const float to = pelage_saturate((mean + reach) * (1.0 / 512.0));
-      const float whole = inside > to || inside == 1.0 ? 1.0 : 0.0;
-      before += number * (to > from && inside < 1.0 ? pelage_saturate((inside - from) / (to - from)) : whole);
-    }
-  }
-  return before;
-}
+precise float pelage_density_clusters_count_before(pelage_density_clusters self, float position);
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · 3 K, (texel + 1) · 3 K) of the storage,
 /// all 0 at first. Lock-free; memory orders: cell_storage.
@@ -115,6 +99,26 @@ pelage_density_clusters pelage_load_density_clusters(uint texel) {
         texel * 3u * PELAGE_DENSITY_CLUSTERS_K + 2u * PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
   }
   return clusters;
+}
+
+// ---------------------------------------------------------------------------------------------------------
+
+precise float pelage_density_clusters_count_before(pelage_density_clusters self, float position) {
+  float before = 0.0;
+  for (uint i = 0u; i < PELAGE_DENSITY_CLUSTERS_K; ++i) {
+    const float number = float(self.count[i]);
+    const float inside = pelage_saturate(position - float(i));
+    if (self.count[i] > 0u) {
+      const float mean = float(self.sum[i]) / number;
+      const float variance = float(self.squares[i]) / number - mean * mean;
+      const float reach = 1.73205081 * pelage_safe_sqrt(variance);
+      const float from = pelage_saturate((mean - reach) * (1.0 / 512.0));
+      const float to = pelage_saturate((mean + reach) * (1.0 / 512.0));
+      const float whole = inside > to || inside == 1.0 ? 1.0 : 0.0;
+      before += number * (to > from && inside < 1.0 ? pelage_saturate((inside - from) / (to - from)) : whole);
+    }
+  }
+  return before;
 }
 
 #define PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL_ONCE

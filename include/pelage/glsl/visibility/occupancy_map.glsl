@@ -123,6 +123,36 @@ uint pelage_occupancy_map_total(pelage_occupancy_map self) {
 /// lie before, the slice itself linearly. [Sintorn & Assarsson 2009, §3.2] Never falls as the position grows; exact at
 /// the ends of slabs (sums from 2²⁴ on by a float's own precision); 0 at 0 and pelage_occupancy_map_total() at Slices.
 /// O(Slices / Slabs / 32 + Slabs).
+precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, float position);
+
+/// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
+/// the storage, all 0 at first, for M = pelage_occupancy_map; the last holds the ends of the sums
+/// (pelage_add_and_mark). Wait-free where the hardware has the changes; memory orders: cell_storage.
+void pelage_add_to_occupancy_map(uint texel, float position, uint added) {
+  const uint slice = pelage_layer_at(position, pelage_occupancy_map_words * 32u);
+  const uint first = texel * pelage_occupancy_map_cells;
+  pelage_set_bits(first + slice / 32u, 1u << (slice % 32u));
+  const uint slab = slice / pelage_occupancy_map_slab_slices;
+  pelage_add_and_mark(first + pelage_occupancy_map_words + slab, added, first + pelage_occupancy_map_cells - 1u,
+                      1u << slab);
+}
+
+/// A texel of such a storage. Not concurrent with pelage_add_to_occupancy_map.
+pelage_occupancy_map pelage_load_occupancy_map(uint texel) {
+  const uint first = texel * pelage_occupancy_map_cells;
+  pelage_occupancy_map map = pelage_occupancy_map_empty();
+  for (uint i = 0u; i < pelage_occupancy_map_words; ++i) {
+    map.occupied[i] = pelage_atomic_cells_load(first + i, pelage_memory_order_relaxed);
+  }
+  for (uint i = 0u; i < pelage_occupancy_map_cells - pelage_occupancy_map_words - 1u; ++i) {
+    map.amount[i] =
+        pelage_load_marked(first + pelage_occupancy_map_words + i, first + pelage_occupancy_map_cells - 1u, 1u << i);
+  }
+  return map;
+}
+
+// ---------------------------------------------------------------------------------------------------------
+
 precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, float position) {
   const uint slice = pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES);
   const uint slab = slice / pelage_occupancy_map_slab_slices;
@@ -149,32 +179,6 @@ precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, floa
   const float most = float(pelage_add_saturating(before, self.amount[slab]));
   const float sum = float(before) + share * float(self.amount[slab]);
   return sum < most ? sum : most;
-}
-
-/// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
-/// the storage, all 0 at first, for M = pelage_occupancy_map; the last holds the ends of the sums
-/// (pelage_add_and_mark). Wait-free where the hardware has the changes; memory orders: cell_storage.
-void pelage_add_to_occupancy_map(uint texel, float position, uint added) {
-  const uint slice = pelage_layer_at(position, pelage_occupancy_map_words * 32u);
-  const uint first = texel * pelage_occupancy_map_cells;
-  pelage_set_bits(first + slice / 32u, 1u << (slice % 32u));
-  const uint slab = slice / pelage_occupancy_map_slab_slices;
-  pelage_add_and_mark(first + pelage_occupancy_map_words + slab, added, first + pelage_occupancy_map_cells - 1u,
-                      1u << slab);
-}
-
-/// A texel of such a storage. Not concurrent with pelage_add_to_occupancy_map.
-pelage_occupancy_map pelage_load_occupancy_map(uint texel) {
-  const uint first = texel * pelage_occupancy_map_cells;
-  pelage_occupancy_map map = pelage_occupancy_map_empty();
-  for (uint i = 0u; i < pelage_occupancy_map_words; ++i) {
-    map.occupied[i] = pelage_atomic_cells_load(first + i, pelage_memory_order_relaxed);
-  }
-  for (uint i = 0u; i < pelage_occupancy_map_cells - pelage_occupancy_map_words - 1u; ++i) {
-    map.amount[i] =
-        pelage_load_marked(first + pelage_occupancy_map_words + i, first + pelage_occupancy_map_cells - 1u, 1u << i);
-  }
-  return map;
 }
 
 #define PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL_ONCE
