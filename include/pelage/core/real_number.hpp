@@ -24,8 +24,7 @@ concept real_number = std::floating_point<typename number_parts<T>::each>;
 
 /// float or a pack of floats, for formulas that work on a float's bits.
 template <class T>
-concept single_precision = std::is_same < typename number_parts<T>::each,
-float > ::value;
+concept single_precision = std::same_as<float, typename number_parts<T>::each>;
 
 /// std::uint32_t or a pack of it.
 template <class T>
