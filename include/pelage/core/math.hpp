@@ -65,7 +65,7 @@ constexpr Real fast_log2(Real x) noexcept {
   const Real normal = select(finite < Real(1.17549435e-38f), Real(1.17549435e-38f), finite);
   // normal = m 2^e with m in [√½, √2), so that the polynomial is exact at 1 and has no seam there.
   const integer bits = bits_of(normal) - integer(0x3f3504f3);
-  const Real exponent = to_float(bits >> 23) + (normal - normal);  // of a NaN, NaN
+  const Real exponent = to_float(bits >> 23);
   const Real t = float_of_bits((bits & integer(0x007fffff)) + integer(0x3f3504f3)) - Real(1.0f);
   Real p = Real(0.12583537f);
   p = p * t - Real(0.207268941f);
@@ -76,7 +76,7 @@ constexpr Real fast_log2(Real x) noexcept {
   p = p * t + Real(0.480910643f);
   p = p * t - Real(0.721347347f);
   p = p * t + Real(1.442695f);
-  return exponent + p * t;
+  return select(x != x, x, exponent + p * t);
 }
 
 template <single_precision Real>
@@ -98,7 +98,7 @@ constexpr Real fast_exp2(Real x) noexcept {
   const integer part = whole >> 1;
   const Real first = float_of_bits((part + integer(127)) << 23);
   const Real second = float_of_bits((whole - part + integer(127)) << 23);
-  return p * first * second;
+  return select(x != x, x, p * first * second);
 }
 
 template <single_precision Real>

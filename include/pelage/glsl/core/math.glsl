@@ -50,7 +50,7 @@ precise float pelage_fast_log2(float x) {
   const float normal = pelage_select(finite < 1.17549435e-38, 1.17549435e-38, finite);
   // normal = m 2^e with m in [√½, √2), so that the polynomial is exact at 1 and has no seam there.
   const int bits = pelage_bits_of(normal) - 0x3f3504f3;
-  const float exponent = pelage_to_float(bits >> 23) + (normal - normal);  // of a NaN, NaN
+  const float exponent = pelage_to_float(bits >> 23);
   const float t = pelage_float_of_bits((bits & 0x007fffff) + 0x3f3504f3) - 1.0;
   float p = 0.12583537;
   p = p * t - 0.207268941;
@@ -61,7 +61,7 @@ precise float pelage_fast_log2(float x) {
   p = p * t + 0.480910643;
   p = p * t - 0.721347347;
   p = p * t + 1.442695;
-  return exponent + p * t;
+  return pelage_select(x != x, x, exponent + p * t);
 }
 
 precise float pelage_fast_exp2(float x) {
@@ -80,7 +80,7 @@ precise float pelage_fast_exp2(float x) {
   const int part = whole >> 1;
   const float first = pelage_float_of_bits((part + 127) << 23);
   const float second = pelage_float_of_bits((whole - part + 127) << 23);
-  return p * first * second;
+  return pelage_select(x != x, x, p * first * second);
 }
 
 precise float pelage_power_of_cosine(float x, float y) {
