@@ -40,6 +40,7 @@ if [[ -n $is_gcc ]]; then
   refused -O2 -march=x86-64-v3
 fi
 refused -O2 -ffast-math
+refused -O2 -ffinite-math-only
 if [[ $all == all ]]; then
   for level in -O0 -O1 -O2 -O3; do
     for set in x86-64 x86-64-v2 x86-64-v3 x86-64-v4; do

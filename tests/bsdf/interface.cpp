@@ -44,6 +44,23 @@ TEST_CASE("grazing light and total reflection enter nothing") {
   CHECK(dielectric_interface(0.5f, std::numeric_limits<float>::quiet_NaN()).transmitted == 0.0f);
 }
 
+TEST_CASE("beside the critical angle both shares are within 7e-3, down to an index of 0.3") {
+  test::worst_case worst;
+  for (float eta = 0.3f; eta < 1.0f; eta += 1.3e-3f) {
+    float cosine = static_cast<float>(std::sqrt((1.0 - static_cast<double>(eta)) * (1.0 + static_cast<double>(eta))));
+    for (int step = 0; step < 6; ++step)
+      cosine = std::nextafter(cosine, 0.0f);
+    for (int step = 0; step < 12; ++step, cosine = std::nextafter(cosine, 1.0f)) {
+      const interface_shares<float> shares = dielectric_interface(cosine, eta);
+      const test::shares_by_angles exact = test::fresnel_by_angles(cosine, eta);
+      worst.see(std::abs(shares.reflected - exact.reflected), {cosine, eta});
+      worst.see(std::abs(shares.transmitted - exact.transmitted), {cosine, eta});
+    }
+  }
+  CHECK_MESSAGE(worst.error < 7e-3, worst);
+  CHECK(worst.error > 5e-4);
+}
+
 TEST_CASE("an index of 1 reflects nothing") {
   CHECK(dielectric_interface(0.3f, 1.0f).reflected == 0.0f);
   CHECK(dielectric_interface(0.3f, 1.0f).transmitted == doctest::Approx(1.0).epsilon(2e-7));

@@ -126,6 +126,10 @@ TEST_CASE("a segment seen end on owns every pixel, NaN none") {
   const strand_joint<float> start{{1.0f, 1.0f}, {2.0f, 0.0f}};
   const strand_joint<float> end{{3.0f, 1.0f}, {2.0f, 0.0f}};
   CHECK(owned_by_segment(start, end, glm::vec2(nan, 1.0f)) == 0.0f);
+  CHECK(owned_by_segment({{nan, 1.0f}, {2.0f, 0.0f}}, end, glm::vec2(2.0f, 1.0f)) == 0.0f);
+  CHECK(owned_by_segment({{1.0f, 1.0f}, {nan, 0.0f}}, end, glm::vec2(2.0f, 1.0f)) == 0.0f);
+  CHECK(owned_by_segment(start, {{nan, 1.0f}, {2.0f, 0.0f}}, glm::vec2(2.0f, 1.0f)) == 0.0f);
+  CHECK(owned_by_segment(start, {{3.0f, 1.0f}, {nan, 0.0f}}, glm::vec2(2.0f, 1.0f)) == 0.0f);
 }
 
 }  // namespace pelage::test

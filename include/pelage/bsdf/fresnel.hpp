@@ -19,7 +19,7 @@ template <std::floating_point Real>
 /// A(η, θ): the share of light that passes a clear fibre through its axis, in and out again: (1 - F)², [0, 1].
 /// What passes without absorption; the fibre's colour multiplies it. [Yu12 Eq. 2]
 ///
-/// `eta`: the fibre's index, (0, inf); hair 1.55. `sin_theta`: sine of the light's inclination from the plane at
+/// `eta`: the fibre's index, (0, 1e18); hair 1.55. `sin_theta`: sine of the light's inclination from the plane at
 /// right angles to the fibre, [-1, 1]; at ±1 (along the fibre) and beyond, or NaN: 0.
 template <std::floating_point Real>
 [[nodiscard]] Real fibre_attenuation(Real eta, Real sin_theta) noexcept {

@@ -16,8 +16,8 @@ struct interface_shares {
 
 /// The shares of a surface met at `cos_theta` in [0, 1], `eta` the index behind over the index before, (0, 1e18): exact
 /// Fresnel equations. cos_theta = 0, total reflection and NaN give (1, 0); eta = 1 gives (0, 1) except for cos_theta
-/// below 1e-18, which counts as 0. Relative error of each below 1e-6 in float for eta in [1, 1000]; in [0.3, 1) the
-/// absolute one grows to 5e-4 beside the critical angle.
+/// below 1e-18, which may count as 0. Relative error of each below 1e-6 in float for eta in [1, 1000]; in [0.3, 1) the
+/// absolute one grows to 7e-3 beside the critical angle.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline interface_shares<Real> dielectric_interface(Real cos_theta, Real eta) noexcept;
 
@@ -25,7 +25,7 @@ template <real_number Real>
 /// by η′, and its second polarisation reflects as if by η″. [Marschner 2003 App. B]
 ///
 /// `cos_outside`, `cos_inside`: cosines of incidence and of refraction by η′ in the section, [0, 1].
-/// `cos_outside` = 0 gives (1, 0).
+/// `cos_outside` = 0 gives (1, 0), NaN (NaN, NaN).
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline interface_shares<Real> bravais_interface(Real cos_outside, Real cos_inside,
                                                                                   Real eta_perpendicular,

@@ -12,13 +12,14 @@ namespace pelage {
 /// here is -log₂ of a transmittance in units of 2⁻²⁰, unsigned 32-bit.
 ///
 /// Range [0, 4096) octaves. One fragment counts at most 32 octaves (an opaque one). Sums saturate at the end of the
-/// range, which is still the same in any order, and read as 0, as does every sum above 126 octaves. Each fragment
-/// rounds by at most 2⁻²¹ octaves, a relative error of 3.4e-7 in the product; fast_log2 adds its own, 1e-7 octaves
-/// or 1e-7 of them. `alpha`: clamped to [0, 1]; NaN counts as 0.
+/// range, which is still the same in any order, and read as 0, as does every sum from 126.00001 octaves on. Each
+/// fragment rounds by at most 2⁻²¹ octaves, a relative error of 3.4e-7 in the product; fast_log2 adds its own, 1e-7
+/// octaves or 1e-7 of them, and 1 - alpha up to 5e-8. `alpha`: clamped to [0, 1]; NaN counts as 0.
 template <single_precision Real>
 [[nodiscard, gnu::always_inline]] inline constexpr natural_of<Real> optical_depth(Real alpha) noexcept;
 
-/// x in units of 2⁻²⁰, rounded to the nearest; 0 for negative and NaN, the greatest number from 4096 on.
+/// x in units of 2⁻²⁰, rounded to the nearest within 2⁻²⁵ of a unit; 0 for negative and NaN, the greatest number from
+/// 4096 on.
 template <single_precision Real>
 [[nodiscard, gnu::always_inline]] inline constexpr natural_of<Real> to_fixed(Real x) noexcept;
 

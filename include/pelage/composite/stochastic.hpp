@@ -74,7 +74,7 @@ struct stochastic_depths {
 }
 
 /// Adds a fragment to a pixel that many threads fill at once: cells [pixel · Samples, (pixel + 1) · Samples) of the
-/// storage, all ones at first. Lock-free; memory orders: cell_storage.
+/// storage, all ones at first. Lock-free; memory orders: core/atomic_cells.hpp.
 template <std::uint32_t Samples, cell_storage Storage>
 void add_to_stochastic_depths(Storage& storage, std::uint32_t pixel, fragment f, float alpha,
                               std::uint32_t seed) noexcept {

@@ -46,7 +46,7 @@ template <single_precision Real>
 
 /// xʸ for a base in [0, 1] and an exponent in [0, inf), as a highlight's lobe needs it: 0⁰ is 1, 0ʸ is 0. Relative
 /// error below 2e-7 · (1 + y |log₂ x|) where the result is normal; smaller results are 0. A base that is denormal,
-/// negative or NaN counts as 0, and so does an exponent that is denormal or negative.
+/// negative or NaN counts as 0, and so does an exponent that is denormal or negative; one of NaN gives NaN.
 template <single_precision Real>
 [[nodiscard, gnu::always_inline]] inline constexpr Real power_of_cosine(Real x, Real y) noexcept;
 

@@ -13,7 +13,7 @@ namespace pelage {
 template <real_number Real>
 struct strand_joint {
   glm::vec<2, Real> place;  ///< on the screen, pixels
-  glm::vec<2, Real> along;  ///< from the point before to the one after, any length; itself for one that is missing
+  glm::vec<2, Real> along;  ///< from the point before to the one after; itself for one that is missing
 };
 
 /// 1 where a pixel belongs to the segment between two joints, else 0: what to multiply its share with. The lines
@@ -24,7 +24,8 @@ struct strand_joint {
 /// joints turn by up to 45° have 0.99 to 1.01 of their area on average, by up to 90° 0.98 to 1.01, with segments from
 /// half a pixel on.
 ///
-/// `pixel`: its centre. A segment seen end on, whose joints both have no direction, owns every pixel. Beyond the ends
+/// `pixel`: its centre. Directions may have any length that neither overflows nor underflows when it is multiplied with
+/// a distance in pixels. A segment seen end on, whose joints both have no direction, owns every pixel. Beyond the ends
 /// of the strand no pixel is owned. NaN gives 0.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real owned_by_segment(const strand_joint<Real>& start,
@@ -47,7 +48,7 @@ Real owned_by_segment(const strand_joint<Real>& start, const strand_joint<Real>&
       (absolute(start.along.x) + absolute(start.along.y)) + (absolute(end.along.x) + absolute(end.along.y));
   const Real end_on = select(any_way > Real(0), Real(0), Real(1));  // where both numbers below are 0
   const Real before_end = select(past_joint(end, pixel) < end_on, Real(1), Real(0));
-  return select(past_joint(start, pixel) < Real(0), Real(0), before_end);
+  return select(past_joint(start, pixel) >= Real(0), before_end, Real(0));
 }
 
 }  // namespace pelage

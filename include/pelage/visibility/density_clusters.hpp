@@ -60,7 +60,7 @@ struct density_clusters {
 };
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · 3 K, (texel + 1) · 3 K) of the storage,
-/// all 0 at first. Lock-free; memory orders: cell_storage.
+/// all 0 at first. Lock-free; memory orders: core/atomic_cells.hpp.
 template <std::uint32_t K, cell_storage Storage>
 void add_to_density_clusters(Storage& storage, std::uint32_t texel, float position) noexcept {
   PELAGE_ASSERT(texel < storage.size() / (3u * K));

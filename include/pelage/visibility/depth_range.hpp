@@ -70,7 +70,7 @@ struct depth_range {
 
 /// Takes a depth into the range of a texel that many threads extend at once: cells 2 · texel, the complement of the
 /// nearest key, and 2 · texel + 1, both 0 at first. NaN and infinite depths change nothing. Lock-free; memory orders:
-/// cell_storage.
+/// core/atomic_cells.hpp.
 template <cell_storage Storage>
 void extend_depth_range(Storage& storage, std::uint32_t texel, float depth) noexcept {
   PELAGE_ASSERT(texel < storage.size() / 2u);

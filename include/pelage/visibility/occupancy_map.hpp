@@ -90,7 +90,7 @@ struct occupancy_map {
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
 /// the storage, all 0 at first, for M = occupancy_map<Slices, Slabs>; the last holds the ends of the sums
-/// (add_and_mark). Wait-free where the hardware has the changes; memory orders: cell_storage.
+/// (add_and_mark). Wait-free where the hardware has the changes; memory orders: core/atomic_cells.hpp.
 template <class Map, cell_storage Storage>
 void add_to_occupancy_map(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept {
   PELAGE_ASSERT(texel < storage.size() / Map::cells);

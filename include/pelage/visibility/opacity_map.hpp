@@ -87,7 +87,7 @@ struct opacity_map {
 };
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · Layers, (texel + 1) · Layers) of the
-/// storage, all 0 at first. Lock-free; memory orders: cell_storage.
+/// storage, all 0 at first. Lock-free; memory orders: core/atomic_cells.hpp.
 template <std::uint32_t Layers, cell_storage Storage>
 void add_to_opacity_map(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept {
   PELAGE_ASSERT(texel < storage.size() / Layers);

@@ -94,7 +94,7 @@ uint pelage_stochastic_stream(uint seed, uint pixel) {
 #endif
 
 /// Adds a fragment to a pixel that many threads fill at once: cells [pixel · Samples, (pixel + 1) · Samples) of the
-/// storage, all ones at first. Lock-free; memory orders: cell_storage.
+/// storage, all ones at first. Lock-free; memory orders: core/atomic_cells.glsl.
 void pelage_add_to_stochastic_depths(uint pixel, pelage_fragment f, float alpha, uint seed) {
   if (!pelage_is_fragment(f)) {
     return;

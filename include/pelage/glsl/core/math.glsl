@@ -35,7 +35,7 @@ precise float pelage_fast_exp2(float x);
 
 /// xʸ for a base in [0, 1] and an exponent in [0, inf), as a highlight's lobe needs it: 0⁰ is 1, 0ʸ is 0. Relative
 /// error below 2e-7 · (1 + y |log₂ x|) where the result is normal; smaller results are 0. A base that is denormal,
-/// negative or NaN counts as 0, and so does an exponent that is denormal or negative.
+/// negative or NaN counts as 0, and so does an exponent that is denormal or negative; one of NaN gives NaN.
 precise float pelage_power_of_cosine(float x, float y);
 
 // ---------------------------------------------------------------------------------------------------------

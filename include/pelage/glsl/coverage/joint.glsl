@@ -11,7 +11,7 @@
 /// the pixels round a joint: added up, their shares would count the fibre there twice.
 struct pelage_strand_joint {
   vec2 place;  ///< on the screen, pixels
-  vec2 along;  ///< from the point before to the one after, any length; itself for one that is missing
+  vec2 along;  ///< from the point before to the one after; itself for one that is missing
 };
 
 /// 1 where a pixel belongs to the segment between two joints, else 0: what to multiply its share with. The lines
@@ -22,7 +22,8 @@ struct pelage_strand_joint {
 /// joints turn by up to 45° have 0.99 to 1.01 of their area on average, by up to 90° 0.98 to 1.01, with segments from
 /// half a pixel on.
 ///
-/// `pixel`: its centre. A segment seen end on, whose joints both have no direction, owns every pixel. Beyond the ends
+/// `pixel`: its centre. Directions may have any length that neither overflows nor underflows when it is multiplied with
+/// a distance in pixels. A segment seen end on, whose joints both have no direction, owns every pixel. Beyond the ends
 /// of the strand no pixel is owned. NaN gives 0.
 precise float pelage_owned_by_segment(pelage_strand_joint start, pelage_strand_joint end, vec2 pixel);
 
@@ -38,7 +39,7 @@ precise float pelage_owned_by_segment(pelage_strand_joint start, pelage_strand_j
                         (pelage_absolute(end.along.x) + pelage_absolute(end.along.y));
   const float end_on = pelage_select(any_way > 0.0, 0.0, 1.0);  // where both numbers below are 0
   const float before_end = pelage_select(pelage_past_joint(end, pixel) < end_on, 1.0, 0.0);
-  return pelage_select(pelage_past_joint(start, pixel) < 0.0, 0.0, before_end);
+  return pelage_select(pelage_past_joint(start, pixel) >= 0.0, before_end, 0.0);
 }
 
 #endif

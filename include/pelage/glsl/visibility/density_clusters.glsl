@@ -77,7 +77,7 @@ void pelage_density_clusters_add(inout pelage_density_clusters self, float posit
 precise float pelage_density_clusters_count_before(pelage_density_clusters self, float position);
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · 3 K, (texel + 1) · 3 K) of the storage,
-/// all 0 at first. Lock-free; memory orders: cell_storage.
+/// all 0 at first. Lock-free; memory orders: core/atomic_cells.glsl.
 void pelage_add_to_density_clusters(uint texel, float position) {
   const uint bin = pelage_layer_at(position, PELAGE_DENSITY_CLUSTERS_K);
   const uint place = pelage_step_in_bin(position, bin);

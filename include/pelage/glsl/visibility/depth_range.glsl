@@ -73,7 +73,7 @@ precise float pelage_depth_range_relative(pelage_depth_range self, float depth) 
 
 /// Takes a depth into the range of a texel that many threads extend at once: cells 2 · texel, the complement of the
 /// nearest key, and 2 · texel + 1, both 0 at first. NaN and infinite depths change nothing. Lock-free; memory orders:
-/// cell_storage.
+/// core/atomic_cells.glsl.
 void pelage_extend_depth_range(uint texel, float depth) {
   if (pelage_is_finite_depth(depth)) {
     const uint key = pelage_depth_key(depth);

@@ -127,7 +127,7 @@ precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, floa
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
 /// the storage, all 0 at first, for M = pelage_occupancy_map; the last holds the ends of the sums
-/// (pelage_add_and_mark). Wait-free where the hardware has the changes; memory orders: cell_storage.
+/// (pelage_add_and_mark). Wait-free where the hardware has the changes; memory orders: core/atomic_cells.glsl.
 void pelage_add_to_occupancy_map(uint texel, float position, uint added) {
   const uint slice = pelage_layer_at(position, pelage_occupancy_map_words * 32u);
   const uint first = texel * pelage_occupancy_map_cells;

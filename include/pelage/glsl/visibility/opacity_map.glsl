@@ -108,7 +108,7 @@ precise float pelage_opacity_map_accumulated_before(pelage_opacity_map self, flo
 }
 
 /// Puts a fragment into a texel that many threads fill at once: cells [texel · Layers, (texel + 1) · Layers) of the
-/// storage, all 0 at first. Lock-free; memory orders: cell_storage.
+/// storage, all 0 at first. Lock-free; memory orders: core/atomic_cells.glsl.
 void pelage_add_to_opacity_map(uint texel, float position, uint added) {
   pelage_add_to_cell(texel * PELAGE_OPACITY_MAP_LAYERS + pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS), added);
 }
