@@ -11,7 +11,7 @@
 #include <pelage/composite/over.hpp>
 #include <pelage/composite/radiance.hpp>
 #include <pelage/composite/tail_lanes.hpp>
-#include <pelage/core/exact_begin.hpp>
+#include <pelage/core/exact_begin.hpp>  // for the sums and products below, too
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
 #include <pelage/coverage/joint.hpp>
@@ -115,6 +115,10 @@ bool same_bits(const results& a, const results& b) {
   put(out, {transmittance_of(behind), order_weight(unit, 9.0f * radius)});
   put(out, resolve(add_fibre(empty_pixel<float>(), glm::abs(a), glm::vec3(unit), radius), glm::abs(b)));
   put(out, glm::vec3(over(premultiply(a, unit), premultiply(b, radius))));
+  depth_range range = depth_range::empty();
+  range.extend(-c.z);
+  range.extend(-d.z);
+  put(out, {range.relative(9.0f + a.z), dual_lobe(a.x, radius, unit, 0.5f)});
 }
 
 [[gnu::noinline]] void evaluate_apart(draws& draw, results& out) {
