@@ -65,7 +65,7 @@ std::string macro_name(const parameter& size) {
   const auto* space = dyn_cast<NamespaceDecl>(size.of->getDeclContext());
   const NamedDecl* bearer = size.of->getTemplatedDecl();
   if (isa<FunctionTemplateDecl>(size.of) && space != nullptr) {
-    if (isa<NamespaceDecl>(space->getDeclContext())) bearer = space;
+    if (isa<NamespaceDecl>(space->getDeclContext()) && !space->isInline()) bearer = space;
     for (const Decl* d : space->decls()) {
       const auto* beside = dyn_cast<ClassTemplateDecl>(d);
       if (beside != nullptr && llvm::any_of(*beside->getTemplateParameters(),

@@ -38,4 +38,14 @@ INTRINSICS DEFAULT_ALIGNED_GENTYPES
 XYZW_ONLY EXPLICIT_CTOR
 SWIZZLE
 LEFT_HANDED DEPTH_ZERO_TO_ONE'
+# What cannot work is said first, in one line.
+refused() {
+  local said
+  said=$("${compile[@]}" "${@:2}" -fsyntax-only -x c++ - <<<"$1"'#include <pelage/core/fragment.hpp>' 2>&1) &&
+    { echo "compiles: $*" >&2; exit 1; }
+  [[ $(grep -m 1 'error:' <<<"$said") == *'pelage: needs'* ]] || { printf '%s\n' "$*:" "$said" >&2; exit 1; }
+}
+refused '' -std=c++17
+refused $'#undef __GNUC__\n#undef __clang_major__\n#define __GNUC__ 9\n#define __clang_major__ 9\n'
+
 echo "${#headers[@]} headers compile alone and link together"

@@ -6,7 +6,7 @@
 
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Light spread round the fibre: a logistic distribution of the azimuth, trimmed to [-π, π] and normalised there.
 /// Made once per roughness. [Chiang 2016 §3.2]

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// I₀(x) = value · e^growth, the modified Bessel function of the first kind without its overflow. The growth is x or
 /// 0, so that it can be added to an exponent that cancels it before anything is exponentiated.

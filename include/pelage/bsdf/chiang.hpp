@@ -11,7 +11,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Hair seen from near by: light that meets a fibre at one offset from its axis is reflected (R), passes (TT), comes
 /// back after one inner reflection (TRT) or after more (the residual lobe). [Chiang 2016; Marschner 2003; d'Eon 2011]

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Chiang's model for many pairs of directions at once, on the CPU: the kernel of chiang.hpp run on lanes of floats,
 /// so each result has the bits that the scalar kernel in float gives. Structure of arrays; all spans of one length.

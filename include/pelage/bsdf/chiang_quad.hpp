@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Chiang's model at one pair of directions, for the CPU: the four lobes go through the kernel of chiang.hpp as four
 /// lanes, and then the three channels do. About three times as fast as one after the other; the same bits.

@@ -10,7 +10,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The BSDF itself and its density, as a path tracer wants them.
 template <std::floating_point Real>

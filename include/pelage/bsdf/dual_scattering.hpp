@@ -10,7 +10,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Light that many fibres have scattered before it reaches the eye, from averages of one fibre: forward through the
 /// fibres in front (global), and back from those behind (local). [Zinke 2008]

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <span>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// A model of one fibre: the share of light that it sends from inclination θ_i to (θ_r, φ), per steradian and channel.
 /// ∫ e dω over the directions (θ_r, φ) is at most 1 for a model that keeps energy. Symmetric in φ.

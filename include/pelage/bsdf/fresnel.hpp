@@ -7,7 +7,7 @@
 
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The share of unpolarised light that a smooth dielectric surface reflects, [0, 1]: dielectric_interface() for a
 /// cosine of any sign, clamped to [0, 1]. NaN gives 1.

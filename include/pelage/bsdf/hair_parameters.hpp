@@ -7,7 +7,7 @@
 #include <array>
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Pigment in a fibre, as concentrations that multiply the absorption of human hair per radius; both [0, inf).
 /// Eumelanin browns (0.1 light blond, 0.3 dark blond, 1.3 dark brown, 8 black), pheomelanin reddens.

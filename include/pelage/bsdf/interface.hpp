@@ -4,7 +4,7 @@
 #include <pelage/core/elementary.hpp>
 #include <pelage/core/exact_begin.hpp>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// What a smooth dielectric surface does with unpolarised light. Both parts keep their relative precision: at grazing
 /// incidence 1 - reflected has lost what `transmitted` still has, at normal incidence the reverse.

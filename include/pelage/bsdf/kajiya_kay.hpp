@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The two lobes of a fibre lit from one direction. [Kajiya & Kay 1989, §4]
 template <real_number Real>

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The two highlights that games give hair: white light off the surface (R), coloured light from within (TRT), each on
 /// its own cone, since the cuticle's scales tilt the one towards the root and the other towards the tip.

@@ -9,7 +9,7 @@
 
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// A direction by its fibre: θ is its inclination from the plane at right angles to the fibre. The azimuth is kept as
 /// a vector of that plane, of any length but 0, so that none of its digits is lost to an angle.

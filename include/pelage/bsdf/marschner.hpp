@@ -10,7 +10,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Hair seen from afar, light averaged over a fibre's width: R, TT and TRT as Gaussians along the fibre times exact
 /// optics of a smooth circular section round it. [Marschner 2003]

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <span>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// N_R, N_TT and N_TRT of one fibre over θ_d × φ, for shaders that look them up as textures. [Nguyen & Donnelly 2005]
 ///

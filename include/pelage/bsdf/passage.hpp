@@ -8,7 +8,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// What a fibre lets through to what lies behind it, per channel: the attenuation along shadow and view paths.
 ///

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The places across a fibre's width from which light leaves at one azimuth: all h with φ(p, h) = φ, where
 /// φ(p, h) = 2pγ_t - 2γ_i + pπ, sin γ_i = h, sin γ_t = h/η′. [Marschner 2003 §5.2, Eq. 9]

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The words of a pixel in atomic_tail: the five sums of a tail, and one bit a sum that went beyond 2^32.
 [[nodiscard]] constexpr std::uint32_t tail_words() noexcept {

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// One layer of a pixel at a time, without memory for more: the reference that the approximations are compared with.
 /// [Everitt 2001] Each pass offers all fragments in any order; then advance() and begin the next, until layer() is

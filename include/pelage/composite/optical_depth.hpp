@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Transmittances multiply; their logarithms add; and integers add to the same sum in any order. An optical depth
 /// here is -log₂ of a transmittance in units of 2⁻²⁰, unsigned 32-bit.

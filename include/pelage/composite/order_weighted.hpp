@@ -5,7 +5,7 @@
 #include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Blending by an estimated order, without sorting: a fragment weighs (1 - α)ᵒ α, with o the number of fragments before
 /// it, which a map (occupancy_map, opacity_map) estimates. [Sintorn & Assarsson 2009, §3.4] Add with add_weighted();

@@ -8,7 +8,7 @@
 
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// A colour and its alpha as a premultiplied one. `alpha`: [0, 1].
 template <std::floating_point Real>

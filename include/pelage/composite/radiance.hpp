@@ -8,7 +8,7 @@
 
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// A pixel's radiance while its fibres are added front to back: Σ (1 - Aᵢ) Cᵢ Lᵢ Π_{j<i} (Aⱼ Cⱼ + 1 - Cⱼ).
 /// [Yu12 Eq. 5] A fibre scatters toward the eye the share of the light that it stops, so that with L = 1

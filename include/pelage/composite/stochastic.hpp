@@ -11,7 +11,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// True if a fragment is opaque in the sample of this number.
 [[nodiscard]] constexpr bool takes_sample(std::uint32_t id, float alpha, std::uint32_t stream,

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// What lies behind the K nearest fragments of a pixel, as one layer that does not depend on the order of arrival:
 /// integers only, so that every interleaving gives the same bits. Keeps the exact product of transmittances and the

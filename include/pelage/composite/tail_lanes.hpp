@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// add_fragment() for W fragments at once, on the CPU: the fragment of each lane whose bit is set goes to the tail
 /// behind[tail_of[k]]. The same tails, bit for bit, NaN included. set: [0, 2^W); tail_of[k]: [0, behind.size()) where

@@ -7,7 +7,7 @@
 
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// What one fibre lets through to what lies behind it, per channel: A C + (1 - C). [Yu12 Eq. 3]
 /// The transmittance of a path is the product over its fibres, in any order.

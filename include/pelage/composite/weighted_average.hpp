@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// All fragments of a pixel as n equal ones of their mean colour and mean alpha. [Bavoil & Myers 2008, §4]
 ///

@@ -5,7 +5,7 @@
 #include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Weighted, blended order-independent transparency [McGuire & Bavoil 2013]: a fragment weighs by its depth alone, by
 /// no estimate of what lies before it. Add with add_weighted(), resolve() as there.

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// What the blendings without sorting share: a tail whose colours are weighted by more than their alpha, which in the
 /// end stand before the background as one layer. Its transmittance stays the exact product. Integer sums: any order of

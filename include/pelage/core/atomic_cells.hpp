@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Where numbers live that many threads lower at once: cells [0, size()), each reached by a call that names its memory
 /// order, so that the same algorithm runs on std::atomic_ref, on a shader's buffer and on cells that a test watches.

@@ -8,7 +8,7 @@
 #include <concepts>
 #include <type_traits>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Functions that a loose driver gets wrong in the fourth digit, from + − × ÷ and √ alone: float has its own
 /// polynomials, the same bits on every machine that rounds as IEEE 754 asks; wider types use std::.

@@ -1,11 +1,13 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/version.hpp>
+
 #include <bit>
 #include <cstdint>
 #include <limits>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// What one fibre leaves in one pixel: where it lies and who it is. Everything else (colour, tangent,
 /// coverage) is the caller's, found again through `id`. 8 bytes.

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Moves between the lanes of vectors, on the CPU alone. No bit of a float changes, NaN included.
 

@@ -19,13 +19,12 @@
 #include <arm_neon.h>
 #endif
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Sets of vector instructions. `plain` is any machine: vectors of 16 bytes, of which the compiler makes what it can.
 enum class vector_isa : std::uint32_t { plain, sse2, neon, avx2, avx512 };
 
-/// The widest set that this translation unit is compiled for. What depends on it is always inlined, or has it in its
-/// name, so units of one program that are compiled with different flags share none.
+/// The widest set that this translation unit is compiled for; PELAGE_ABI (version.hpp) depends on it, too.
 #if defined(__AVX512F__)
 inline constexpr vector_isa widest_isa = vector_isa::avx512;
 #elif defined(__AVX2__)

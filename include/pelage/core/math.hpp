@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// x².
 template <std::floating_point Real>

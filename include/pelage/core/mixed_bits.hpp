@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/version.hpp>
+
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// A number whose every bit depends on every bit of x; one to one, 0 stays 0. What looks random here comes from it,
 /// so that it depends on what the caller names and is the same in every frame. ("lowbias32" of C. Wellons'

@@ -1,13 +1,15 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/version.hpp>
+
 #include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <type_traits>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// What a number is made of: itself alone, or numbers of one type in a pack such as core/lanes.hpp's.
 template <class T>

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Products and lengths of vectors as plain sums from x on: the bits of glm::dot and its like, on shaders' machines
 /// too. A driver may fuse the built-in ones, which then leave 2e-8 of a × a and lose digits where sums cancel.

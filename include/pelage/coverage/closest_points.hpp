@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Where a ray and a fibre's segment pass each other most closely.
 template <real_number Real>

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The share of a pixel's disc that a fibre's strip covers, [0, 1]: circle minus the caps on the strip's two sides,
 /// over the circle. [Yu12 §6]

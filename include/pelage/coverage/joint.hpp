@@ -6,7 +6,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// A point where two segments of a strand meet, or an end of the strand, as a view sees it. Both segments reach into
 /// the pixels round a joint: added up, their shares would count the fibre there twice.

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// How much longer a line is than the row of pixels that draws it: √(x² + y²) / max(|x|, |y|), [1, √2].
 /// A line of one pixel per row or column leaves 1 pixel for every √2 of a diagonal. [Svoboda §1.2.3]

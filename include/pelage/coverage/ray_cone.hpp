@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The cone (perspective) or cylinder (orthographic) of rays that one pixel gathers: its disc's radius grows
 /// linearly with view depth. Perspective: Yu12 Eq. 6.

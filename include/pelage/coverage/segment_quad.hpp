@@ -12,7 +12,7 @@
 #include <cmath>
 #include <concepts>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The quad to rasterise for one segment of a fibre, in view space: eye at the origin, looking down -z, y up.
 template <std::floating_point Real>

@@ -14,7 +14,7 @@
 /// whole. The order inside a list is the order of arrival: read it into a k_buffer or sort it, and the result is the
 /// same for every interleaving. Build and read are two phases: between the last push and the first read the caller
 /// joins its threads, or waits at a barrier that synchronises them. Memory: see list_storage.
-namespace pelage::a_buffer {
+namespace pelage::inline PELAGE_ABI::a_buffer {
 
 /// Puts a fragment at the head of a list. Returns no_fragment(), or the fragment itself if it was refused and
 /// counted: the pool is full, or is_fragment() is false. `list`: [0, list_count()). Wait-free, O(1).

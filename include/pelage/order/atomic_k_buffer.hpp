@@ -26,7 +26,7 @@
 ///
 /// A value may also pass a slot without a minimum, if that slot or one behind it was seen to hold less: what was seen
 /// there has passed the slot itself, so (b) holds again.
-namespace pelage::atomic_k_buffer {
+namespace pelage::inline PELAGE_ABI::atomic_k_buffer {
 
 /// Offers a fragment. Returns what fell out: a fragment that others pushed on, itself where K nearer ones are held,
 /// or no_fragment(). What is_fragment() refuses comes back as it is. Depths -0 come back as +0. Over all inserts of

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// One CPU thread's way to lists that many threads build: as atomic_list_storage, but it takes nodes from the pool in
 /// blocks, so that threads neither meet at one counter for each fragment nor write to the same cache lines.

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The K fragments of one pixel nearest the eye, by select-and-replace. [Yu12 §5.1]
 ///

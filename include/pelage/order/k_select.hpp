@@ -16,7 +16,7 @@
 #include <limits>
 #include <span>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Writes the K first of the total order, nearest first, and returns how many there are: K, or all that
 /// is_fragment() accepts where those are fewer; no_fragment() fills the rest. The same bits as inserting the list

@@ -11,7 +11,7 @@
 /// Sorting networks over an array of vectors, for k_select. Element e of n = Rows × lanes stands in lane e / Rows of
 /// row e % Rows: a sequence runs down each lane, then goes on in the next, so most compares need no shuffle. The same
 /// instructions whatever the data; no element may be NaN. O(n log² n).
-namespace pelage::lane_network {
+namespace pelage::inline PELAGE_ABI::lane_network {
 
 /// Sorts the elements, least first.
 template <int W, class T, std::uint32_t Rows>

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The link that ends a list, and the node that stands for none.
 [[nodiscard]] constexpr std::uint32_t no_node() noexcept {

@@ -12,7 +12,7 @@
 #include <limits>
 
 /// What k_select sorts by. Not for use by itself.
-namespace pelage::detail {
+namespace pelage::inline PELAGE_ABI::detail {
 
 static_assert(std::endian::native == std::endian::little, "pelage: k_select takes a fragment's depth for its low word");
 

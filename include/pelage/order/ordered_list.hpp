@@ -14,7 +14,7 @@
 /// comes back. Once all inserts are done a list holds the same sequence for every interleaving, or with a limit begins
 /// with the same sequence, as long as no fragment found the pool full. A reader that walks a list at the same time sees
 /// a sorted list of complete nodes, some of those being inserted among them. Memory: see list_storage.
-namespace pelage::ordered_list {
+namespace pelage::inline PELAGE_ABI::ordered_list {
 
 /// The limit that never ends a search.
 [[nodiscard]] constexpr std::uint32_t unlimited() noexcept {

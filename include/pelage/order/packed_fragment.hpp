@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// A fragment as a number that orders as the fragment does: depth_key in the high word, id in the low one. What
 /// no_fragment() gives is above that of every fragment. For fragments that is_fragment() accepts, or no_fragment().

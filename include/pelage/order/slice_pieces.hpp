@@ -8,7 +8,7 @@
 
 /// Where a segment lies among the depth slices of slice_sort, and the pieces that it falls into when it is cut at their
 /// planes, so that none crosses one. [Sintorn & Assarsson 2008]
-namespace pelage::slice_sort {
+namespace pelage::inline PELAGE_ABI::slice_sort {
 
 /// The slice that a position lies in, and for NaN the first.
 [[nodiscard]] constexpr std::uint32_t slice_at(float position, std::uint32_t slices) noexcept {

@@ -15,7 +15,7 @@
 /// counts, fill() from each chunk. The result depends neither on the number of chunks nor on threads. For slices that
 /// no segment crosses, cut the segments at their planes first: slice_pieces.hpp. For the CPU. Memory: the caller's, 4
 /// bytes a slice and chunk and 4 a segment.
-namespace pelage::slice_sort {
+namespace pelage::inline PELAGE_ABI::slice_sort {
 
 /// Counts a chunk's segments by slice. `slice`: of each segment, < counts.size(). `counts`: one a slice, the chunk's
 /// own.

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Puts the nearer of two fragments first. Ties as before().
 constexpr void order_pair(fragment& a, fragment& b) noexcept;

@@ -20,7 +20,7 @@
 /// their multiplicity. Then the slots of one depth are a run, and the second pass is the same cascade of ids along
 /// that run: it leaves the run's smallest ids in order. Only a run that ends at slot K - 1 may have more fragments
 /// than slots; its larger ids fall out.
-namespace pelage::two_pass_k_buffer {
+namespace pelage::inline PELAGE_ABI::two_pass_k_buffer {
 
 /// First pass: offers a fragment's depth. What is_fragment() refuses is left out. `pixel`: [0, size() / (2 K)).
 /// Wait-free where the minimum of the hardware is, else lock-free. O(K).

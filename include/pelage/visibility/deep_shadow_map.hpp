@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Where the vertices of deep shadow maps live, one array for all texels.
 template <class Storage>

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/version.hpp>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// A point of a deep shadow map's transmittance function. A file of its own, since a shader declares a buffer of them
 /// before it includes the map. 8 bytes.

@@ -11,7 +11,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Where in its bin a position lies, [0, 512].
 [[nodiscard]] constexpr std::uint32_t step_in_bin(float position, std::uint32_t bin) noexcept {

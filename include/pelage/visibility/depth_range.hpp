@@ -11,7 +11,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// True for depths that a range takes in.
 [[nodiscard]] constexpr bool is_finite_depth(float depth) noexcept {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Where a depth lies among the slices or layers of a map: a position of 2.25 is a quarter into the third one. The
 /// functions here give positions in [0, layers] that never fall as depth grows, whole exactly at a layer's end, and

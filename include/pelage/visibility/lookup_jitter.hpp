@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// An offset for a look-up in a map, in texels, [-½, ½) on each axis: added to the place that a fragment looks up, it
 /// turns the steps between texels into noise of half a texel. Even over the square; the same for the same seed, so

@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// occupancy_map::amount_before for many positions in one texel, bit for bit: what all look-ups share is computed
 /// once, and the rest is a loop without branches that a compiler turns into vectors (GCC 12 only where it is not

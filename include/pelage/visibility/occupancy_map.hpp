@@ -11,7 +11,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// The bits below bit n; all for n >= 32.
 [[nodiscard]] constexpr std::uint32_t bits_below(std::uint32_t n) noexcept {

@@ -11,7 +11,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// One texel of an opacity map: a sum for each layer. With slice_position() it is an opacity shadow map
 /// [Kim & Neumann 2001], with equal_layer_position() or growing_layer_position() a deep opacity map

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Pelage authors
+# SPDX-License-Identifier: MIT
+# units.sh INCLUDE_DIR COMPILER: two units of one program, compiled for different vectors, share no function, so that the
+# one for any machine runs no instruction of the other's; both have the same bits.
+set -euo pipefail
+include=$1 compiler=$2
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+sweep=$(dirname "${BASH_SOURCE[0]}")/sweep.cpp
+wide=(-march=x86-64-v3 -ffp-contract=off -DPELAGE_CONTRACTION_OFF)
+
+# shared INCLUDE_DIR LEVEL: the names of what both units define and the linker takes once.
+shared() {
+  "$compiler" -std=c++20 -I"$1" "$2" -Dmain=sweep_base -c "$sweep" -o "$work/base.o" &
+  "$compiler" -std=c++20 -I"$1" "$2" "${wide[@]}" -Dmain=sweep_wide -c "$sweep" -o "$work/wide.o"
+  wait $!
+  for unit in base wide; do
+    nm --defined-only "$work/$unit.o" | awk '$2 ~ /[WVu]/ { print $3 }' | sort >"$work/$unit.names"
+  done
+  comm -12 "$work/base.names" "$work/wide.names"
+}
+
+cp -r "$include" "$work/one"
+sed -i 's/^#define PELAGE_VECTORS .*/#define PELAGE_VECTORS/' "$work/one/pelage/version.hpp"
+[[ $(shared "$work/one" -O0) == *pelage* ]] || { echo "$compiler: shared functions would not be noticed" >&2; exit 1; }
+
+for level in -O0 -O2; do
+  names=$(shared "$include" "$level")
+  ! grep pelage <<<"$names" || { echo "$compiler $level: both units define these" >&2; exit 1; }
+done
+
+cat >"$work/main.cpp" <<'EOF'
+int sweep_base();
+int sweep_wide();
+int main(int argc, char**) { return argc > 1 ? sweep_wide() : sweep_base(); }
+EOF
+"$compiler" -O2 "$work/main.cpp" "$work/wide.o" "$work/base.o" -o "$work/both"
+base=$("$work/both")
+if grep -q avx2 /proc/cpuinfo; then
+  [[ $("$work/both" wide) == "$base" ]] || { echo "$compiler: the units differ in bits" >&2; exit 1; }
+fi
