@@ -262,7 +262,7 @@ template dual_global<float> dual_pass_fibre(const dual_global<float>&, const dua
                                             const dual_density<float>&) noexcept;
 template vec3 dual_scattering(const dual_averages<float>&, const dual_local<float>&, const dual_global<float>&,
                               const dual_density<float>&, const vec3&, float, float, float) noexcept;
-template float dual_lobe(float, float, float, float) noexcept;
+template float detail::dual_lobe(float, float, float, float) noexcept;
 template dual_table_place<float> dual_table_place_of(float, std::uint32_t) noexcept;
 template dual_averages<float> blend_dual_averages(const dual_averages<float>&, const dual_averages<float>&,
                                                   float) noexcept;

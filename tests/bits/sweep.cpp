@@ -118,7 +118,7 @@ bool same_bits(const results& a, const results& b) {
   depth_range range = depth_range::empty();
   range.extend(-c.z);
   range.extend(-d.z);
-  put(out, {range.relative(9.0f + a.z), dual_lobe(a.x, radius, unit, 0.5f)});
+  put(out, {range.relative(9.0f + a.z), detail::dual_lobe(a.x, radius, unit, 0.5f)});
 }
 
 [[gnu::noinline]] void evaluate_apart(draws& draw, results& out) {

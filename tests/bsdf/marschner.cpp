@@ -21,7 +21,7 @@ constexpr double pi = std::numbers::pi;
 double integral_of_n(const fibre_section<double>& section, int path, double sigma_a) {
   const auto n = [&](double phi) { return bare_azimuthal(section, path, phi, {sigma_a, sigma_a, sigma_a})[0]; };
   const double phi_c = path == 2 ? 2.0 * find_caustic(section.excess).half_azimuth : 0.5;
-  const double edge = std::abs(2.0 * edge_half_azimuth(section.excess));
+  const double edge = std::abs(2.0 * detail::edge_half_azimuth(section.excess));
   double sum = 0.0;
   for (const double end : {0.0, pi}) {
     // t runs from the caustic towards the end; the fibre's edge, where a root ends, is a kink at most.

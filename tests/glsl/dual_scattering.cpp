@@ -47,7 +47,7 @@ TEST_CASE("Dual scattering is within 2e-5 of double on every device") {
           out.put(passed.transmitted);
           out.put(passed.variance);
           out.put(dual_scattering(averages, local, global, density, in.d3(22), in.d(25), in.d(26), in.d(27)));
-          out.put(dual_lobe(in.d(6), in.d(12), in.d(18), in.d(19)));
+          out.put(detail::dual_lobe(in.d(6), in.d(12), in.d(18), in.d(19)));
           const double last = in.u(28);
           const double place = (in.d(25) / 3.141592653589793 + 0.5) * (last + 1.0) - 0.5;
           const double held = std::clamp(place, 0.0, last);

@@ -31,6 +31,8 @@ template <std::floating_point Real>
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
 /// The series in double: I₀ - 1 for x ≤ 20.
 template <std::floating_point Real>
 [[nodiscard]] inline Real bessel_i0_series(Real x) noexcept {
@@ -67,15 +69,18 @@ template <real_number Real>
   return Real(0.25f) + square * ((low + s2 * middle) + s2 * s2 * (high + s2 * top));
 }
 
+}  // namespace detail
+
 template <real_number Real>
 bessel_i0_parts<Real> bessel_i0(Real x) noexcept {
   if constexpr (std::floating_point<Real> && sizeof(Real) > 4) {
     const bool small = x < Real(20);
-    return bessel_i0_parts<Real>{small ? Real(1) + bessel_i0_series(x) : bessel_i0_tail(x), small ? Real(0) : x};
+    return bessel_i0_parts<Real>{small ? Real(1) + detail::bessel_i0_series(x) : detail::bessel_i0_tail(x),
+                                 small ? Real(0) : x};
   } else {
     const Real bounded = least(x, Real(6.0f));
     const Real square = bounded * bounded;
-    const Real near = bessel_i0_rise(square) * square + Real(1.0f);
+    const Real near = detail::bessel_i0_rise(square) * square + Real(1.0f);
     const Real t = Real(1.0f) / greatest(x, Real(6.0f));
     const Real high = Real(0.602922142f) * t + Real(-0.0839143246f);
     const Real middle = Real(0.041742567f) * t + Real(0.0275332332f);
@@ -88,10 +93,10 @@ bessel_i0_parts<Real> bessel_i0(Real x) noexcept {
 template <std::floating_point Real>
 Real log_bessel_i0(Real x) noexcept {
   if constexpr (sizeof(Real) > 4) {
-    return x < Real(20) ? std::log1p(bessel_i0_series(x)) : x + std::log(bessel_i0_tail(x));
+    return x < Real(20) ? std::log1p(detail::bessel_i0_series(x)) : x + std::log(detail::bessel_i0_tail(x));
   } else {
     // ln(1 + r) = ln(1 + r rounded) + what the rounding lost, or r itself where nothing is left of it.
-    const Real rise = bessel_i0_rise(x * x) * x * x;
+    const Real rise = detail::bessel_i0_rise(x * x) * x * x;
     const Real sum = 1.0f + rise;
     const bessel_i0_parts<Real> parts = bessel_i0(x);
     const Real far = natural_logarithm(parts.value) + parts.growth;

@@ -90,6 +90,8 @@ template <real_number Real>
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
 /// What the steps of the model hand on. Each is a function of its own so that a CPU may run it on packs: over lobes or
 /// channels (chiang_quad.hpp) as over fibres (chiang_batch.hpp).
 template <real_number Real>
@@ -132,6 +134,8 @@ template <real_number Real>
   const Real residual = returned * turned_back / select(rest > Real(0), rest, Real(1));
   return std::array<Real, 4>{surface.reflected, passed, returned, residual};
 }
+
+}  // namespace detail
 
 /// M of one lobe: `sum` holds cos and sin of θ_i + θ_o before the lobe's tilt.
 template <real_number Real>
@@ -185,14 +189,14 @@ chiang_view<Real> view_chiang(const chiang_fibre<Real>& fibre, Real h, const fib
     view.flipped[p] = select(turned.cosine < Real(0), Real(1), Real(0));
     view.tilted[p] = rotation<Real>{absolute(turned.cosine), turned.sine};
   }
-  const chiang_section<Real> section = cross_chiang_section(fibre.eta, h, eye.sine, eye.cosine);
+  const detail::chiang_section<Real> section = detail::cross_chiang_section(fibre.eta, h, eye.sine, eye.cosine);
   view.towards[0] = turned_back(rotation<Real>{eye.y, eye.z}, section.entry);
   view.towards[1] = turned_by(view.towards[0], section.crossing);
   view.towards[2] = turned_by(view.towards[1], section.crossing);
 
   std::array<Real, 4> sums = {Real(0), Real(0), Real(0), Real(0)};
   for (std::uint32_t c = 0u; c < 3u; ++c) {
-    const std::array<Real, 4> path = chiang_attenuation(section, fibre.sigma_a[c]);
+    const std::array<Real, 4> path = detail::chiang_attenuation(section, fibre.sigma_a[c]);
     for (std::uint32_t p = 0u; p < 4u; ++p) {
       view.attenuation[p][c] = fibre.tints[p] * path[p];
       sums[p] = sums[p] + view.attenuation[p][c];

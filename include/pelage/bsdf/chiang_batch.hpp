@@ -48,6 +48,8 @@ void evaluate_chiang_batch(const chiang_batch_parameters& parameters, const chia
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
 /// W floats from `from[at]` on; lanes past the end repeat the last element.
 template <int W>
 [[nodiscard]] lanes<W> load_lanes(std::span<const float> from, std::size_t at) noexcept {
@@ -122,29 +124,31 @@ inline void assert_one_length([[maybe_unused]] const chiang_batch& batch,
   PELAGE_ASSERT(result.density.size() == batch.h.size());
 }
 
+}  // namespace detail
+
 template <int W>
 void evaluate_chiang_batch(const chiang_fibre<float>& fibre, const chiang_batch& batch,
                            const chiang_batch_result& result) noexcept {
-  assert_one_length(batch, result);
-  const chiang_fibre<lanes<W>> wide = broadcast<W>(fibre);
+  detail::assert_one_length(batch, result);
+  const chiang_fibre<lanes<W>> wide = detail::broadcast<W>(fibre);
   for (std::size_t at = 0; at < batch.h.size(); at += W) {
-    evaluate_chiang_lanes<W>(wide, batch, result, at);
+    detail::evaluate_chiang_lanes<W>(wide, batch, result, at);
   }
 }
 
 template <int W>
 void evaluate_chiang_batch(const chiang_batch_parameters& parameters, const chiang_batch& batch,
                            const chiang_batch_result& result) noexcept {
-  assert_one_length(batch, result);
+  detail::assert_one_length(batch, result);
   for (std::size_t at = 0; at < batch.h.size(); at += W) {
     const chiang_parameters<lanes<W>> here = {
-        load_lanes<W>(parameters.eta, at),
-        {load_lanes<W>(parameters.sigma_a[0], at), load_lanes<W>(parameters.sigma_a[1], at),
-         load_lanes<W>(parameters.sigma_a[2], at)},
-        load_lanes<W>(parameters.beta_m, at),
-        load_lanes<W>(parameters.beta_n, at),
-        load_lanes<W>(parameters.tilt, at)};
-    evaluate_chiang_lanes<W>(make_chiang_fibre(here), batch, result, at);
+        detail::load_lanes<W>(parameters.eta, at),
+        {detail::load_lanes<W>(parameters.sigma_a[0], at), detail::load_lanes<W>(parameters.sigma_a[1], at),
+         detail::load_lanes<W>(parameters.sigma_a[2], at)},
+        detail::load_lanes<W>(parameters.beta_m, at),
+        detail::load_lanes<W>(parameters.beta_n, at),
+        detail::load_lanes<W>(parameters.tilt, at)};
+    detail::evaluate_chiang_lanes<W>(make_chiang_fibre(here), batch, result, at);
   }
 }
 

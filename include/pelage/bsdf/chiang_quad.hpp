@@ -55,6 +55,8 @@ struct chiang_quad_view {
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
 /// Four floats as lanes.
 [[nodiscard]] inline lanes<4> four_lanes(float a, float b, float c, float d) noexcept {
   return lanes<4>(lanes<4>::vector{a, b, c, d});
@@ -65,6 +67,8 @@ template <int Lane>
 [[nodiscard]] lanes<4> spread_lane(lanes<4> x) noexcept {
   return lanes<4>(__builtin_shufflevector(x.lane, x.lane, Lane, Lane, Lane, Lane));
 }
+
+}  // namespace detail
 
 /// M_p N_p of the four lobes.
 [[nodiscard, gnu::always_inline]] inline lanes<4> chiang_lobes(const chiang_quad_fibre& fibre,
@@ -77,7 +81,7 @@ template <int Lane>
   const pack along = chiang_along(fibre.longitudinal, sum, fibre.tilts, view.tilted, view.flipped, pack(light.sine),
                                   pack(light.cosine));
   const pack round = chiang_round(fibre.azimuthal, view.towards, pack(light.y), pack(light.z));
-  const pack last = four_lanes(0.0f, 0.0f, 0.0f, 1.0f);
+  const pack last = detail::four_lanes(0.0f, 0.0f, 0.0f, 1.0f);
   return along * select(last > pack(0), pack(0.159154943091895336), round);
 }
 
@@ -86,13 +90,14 @@ inline chiang_quad_fibre make_chiang_quad_fibre(const chiang_fibre<float>& fibre
   const std::array<rotation<float>, 3>& t = fibre.tilts;
   return chiang_quad_fibre{
       fibre.eta,
-      four_lanes(fibre.sigma_a[0], fibre.sigma_a[1], fibre.sigma_a[2], 0.0f),
+      detail::four_lanes(fibre.sigma_a[0], fibre.sigma_a[1], fibre.sigma_a[2], 0.0f),
       {lanes<4>(fibre.tints[0]), lanes<4>(fibre.tints[1]), lanes<4>(fibre.tints[2]), lanes<4>(fibre.tints[3])},
-      {four_lanes(m[0].variance, m[1].variance, m[2].variance, m[3].variance),
-       four_lanes(m[0].concentration, m[1].concentration, m[2].concentration, m[3].concentration),
-       four_lanes(m[0].height, m[1].height, m[2].height, m[3].height)},
+      {detail::four_lanes(m[0].variance, m[1].variance, m[2].variance, m[3].variance),
+       detail::four_lanes(m[0].concentration, m[1].concentration, m[2].concentration, m[3].concentration),
+       detail::four_lanes(m[0].height, m[1].height, m[2].height, m[3].height)},
       {lanes<4>(fibre.azimuthal.scale), lanes<4>(fibre.azimuthal.steepness), lanes<4>(fibre.azimuthal.height)},
-      {four_lanes(t[0].cosine, t[1].cosine, t[2].cosine, 1.0f), four_lanes(t[0].sine, t[1].sine, t[2].sine, 0.0f)}};
+      {detail::four_lanes(t[0].cosine, t[1].cosine, t[2].cosine, 1.0f),
+       detail::four_lanes(t[0].sine, t[1].sine, t[2].sine, 0.0f)}};
 }
 
 inline chiang_quad_view view_chiang(const chiang_quad_fibre& fibre, float h,
@@ -104,17 +109,17 @@ inline chiang_quad_view view_chiang(const chiang_quad_fibre& fibre, float h,
   view.flipped = select(turned.cosine < pack(0), pack(1), pack(0));
   view.tilted = rotation<pack>{absolute(turned.cosine), turned.sine};
 
-  const chiang_section<float> section = cross_chiang_section(fibre.eta, h, eye.sine, eye.cosine);
+  const detail::chiang_section<float> section = detail::cross_chiang_section(fibre.eta, h, eye.sine, eye.cosine);
   const rotation<float> r = turned_back(rotation<float>{eye.y, eye.z}, section.entry);
   const rotation<float> tt = turned_by(r, section.crossing);
   const rotation<float> trt = turned_by(tt, section.crossing);
-  view.towards =
-      rotation<pack>{four_lanes(r.cosine, tt.cosine, trt.cosine, eye.y), four_lanes(r.sine, tt.sine, trt.sine, eye.z)};
+  view.towards = rotation<pack>{detail::four_lanes(r.cosine, tt.cosine, trt.cosine, eye.y),
+                                detail::four_lanes(r.sine, tt.sine, trt.sine, eye.z)};
 
-  chiang_section<pack> wide;
+  detail::chiang_section<pack> wide;
   wide.surface = interface_shares<pack>{pack(section.surface.reflected), pack(section.surface.transmitted)};
   wide.radii = pack(section.radii);
-  const std::array<pack, 4> path = chiang_attenuation(wide, fibre.sigma_a);
+  const std::array<pack, 4> path = detail::chiang_attenuation(wide, fibre.sigma_a);
   const pack first = fibre.tints[0] * path[0];
   const pack second = fibre.tints[1] * path[1];
   const pack third = fibre.tints[2] * path[2];
@@ -138,9 +143,10 @@ inline chiang_quad_view view_chiang(const chiang_quad_fibre& fibre, float h,
 inline chiang_result<float> evaluate_chiang(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
                                             const fibre_direction<float>& light) noexcept {
   const lanes<4> lobes = chiang_lobes(fibre, view, light);
-  const lanes<4> value = ((spread_lane<0>(lobes) * view.attenuation[0] + spread_lane<1>(lobes) * view.attenuation[1]) +
-                          spread_lane<2>(lobes) * view.attenuation[2]) +
-                         spread_lane<3>(lobes) * view.attenuation[3];
+  const lanes<4> value =
+      ((detail::spread_lane<0>(lobes) * view.attenuation[0] + detail::spread_lane<1>(lobes) * view.attenuation[1]) +
+       detail::spread_lane<2>(lobes) * view.attenuation[2]) +
+      detail::spread_lane<3>(lobes) * view.attenuation[3];
   const lanes<4> density = lobes * view.weights;
   return chiang_result<float>{{value.lane[0], value.lane[1], value.lane[2]},
                               ((density.lane[0] + density.lane[1]) + density.lane[2]) + density.lane[3]};
@@ -163,12 +169,12 @@ inline chiang_sample<float> sample_chiang(const chiang_quad_fibre& fibre, const 
   view.towards.cosine.store(y.data());
   view.towards.sine.store(z.data());
   chiang_sample<float> sample;
-  sample.lobe = pick_chiang_lobe(weights, u[0]);
+  sample.lobe = detail::pick_chiang_lobe(weights, u[0]);
   const std::uint32_t p = sample.lobe;
   const longitudinal_lobe<float> along = {variance[p], concentration[p], 0.0f};  // drawing needs no height
   const azimuthal_lobe<float> round = {fibre.azimuthal.scale.lane[0], 0.0f, 0.0f};
-  sample.direction =
-      draw_chiang_direction(along, round, rotation<float>{cosine[p], sine[p]}, rotation<float>{y[p], z[p]}, p == 3u, u);
+  sample.direction = detail::draw_chiang_direction(along, round, rotation<float>{cosine[p], sine[p]},
+                                                   rotation<float>{y[p], z[p]}, p == 3u, u);
   sample.result = evaluate_chiang(fibre, view, direction_by_fibre(sample.direction));
   return sample;
 }

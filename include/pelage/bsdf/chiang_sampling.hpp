@@ -43,6 +43,8 @@ template <std::floating_point Real>
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
 /// The lobe that a number in [0, 1) picks by its weight. A residual lobe of weight 0 is not picked.
 template <std::floating_point Real>
 [[nodiscard]] inline std::uint32_t pick_chiang_lobe(const std::array<Real, 4>& weights, Real u) noexcept {
@@ -67,6 +69,8 @@ template <std::floating_point Real>
   return glm::vec<3, Real>(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
 }
 
+}  // namespace detail
+
 template <std::floating_point Real>
 chiang_bsdf<Real> evaluate_chiang_bsdf(const chiang_fibre<Real>& fibre, Real h, const glm::vec<3, Real>& w_o,
                                        const glm::vec<3, Real>& w_i) noexcept {
@@ -82,7 +86,7 @@ template <std::floating_point Real>
 chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                   const std::array<Real, 4>& u) noexcept {
   chiang_sample<Real> drawn;
-  drawn.lobe = pick_chiang_lobe(view.weights, u[0]);
+  drawn.lobe = detail::pick_chiang_lobe(view.weights, u[0]);
   longitudinal_lobe<Real> along = fibre.longitudinal[3];
   rotation<Real> tilted = rotation<Real>{view.eye.cosine, view.eye.sine};
   rotation<Real> middle = rotation<Real>{view.eye.y, view.eye.z};
@@ -93,7 +97,7 @@ chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_
       middle = view.towards[p];
     }
   }
-  drawn.direction = draw_chiang_direction(along, fibre.azimuthal, tilted, middle, drawn.lobe == 3u, u);
+  drawn.direction = detail::draw_chiang_direction(along, fibre.azimuthal, tilted, middle, drawn.lobe == 3u, u);
   drawn.result = evaluate_chiang(fibre, view, direction_by_fibre(drawn.direction));
   return drawn;
 }

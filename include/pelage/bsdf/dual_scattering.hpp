@@ -100,6 +100,8 @@ template <std::floating_point Real>
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
 /// The share per steradian of a lobe: a Gaussian in θ_h and linear in |φ|, forward (largest at ±π) or backward (at 0);
 /// integrates to 1 over the sphere except for what a wide Gaussian leaves beyond ±π/2.
 template <std::floating_point Real>
@@ -109,6 +111,8 @@ template <std::floating_point Real>
   const Real gauss = exponential(Real(-0.5) * theta_h * theta_h / v) * Real(0.398942280401432678) / square_root(v);
   return Real(0.159154943091895336) * gauss * share_of_azimuth / greatest(cos_theta_r, Real(1e-4));
 }
+
+}  // namespace detail
 
 template <std::floating_point Real>
 dual_local<Real> dual_local_scattering(const dual_averages<Real>& averages,
@@ -172,12 +176,14 @@ glm::vec<3, Real> dual_scattering(const dual_averages<Real>& averages, const dua
   for (int c = 0; c < 3; ++c) {
     const Real sigma2 = global.variance[c];
     const Real from_behind = Real(2) * density.backward * local.albedo[c];
-    const Real direct = single[c] + from_behind * dual_lobe(theta_h - local.shift[c], local.variance[c], cosine, back);
-    const Real scattered = averages.forward[c] * dual_lobe(theta_h - averages.forward_shift[c],
-                                                           averages.forward_variance[c] + sigma2, cosine, onward) +
-                           averages.backward[c] * dual_lobe(theta_h - averages.backward_shift[c],
-                                                            averages.backward_variance[c] + sigma2, cosine, back) +
-                           from_behind * dual_lobe(theta_h - local.shift[c], local.variance[c] + sigma2, cosine, back);
+    const Real direct =
+        single[c] + from_behind * detail::dual_lobe(theta_h - local.shift[c], local.variance[c], cosine, back);
+    const Real scattered =
+        averages.forward[c] * detail::dual_lobe(theta_h - averages.forward_shift[c],
+                                                averages.forward_variance[c] + sigma2, cosine, onward) +
+        averages.backward[c] * detail::dual_lobe(theta_h - averages.backward_shift[c],
+                                                 averages.backward_variance[c] + sigma2, cosine, back) +
+        from_behind * detail::dual_lobe(theta_h - local.shift[c], local.variance[c] + sigma2, cosine, back);
     sum[c] = global.direct * direct + global.transmitted[c] * scattered;
   }
   return sum;

@@ -47,11 +47,15 @@ struct highlight_shape {
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
 /// cosᵖ of the sum of two inclinations less the shift.
 [[nodiscard]] inline float shifted_lobe(const rotation<float>& sum, const highlight_shape& shape) noexcept {
   const float cosine = saturate(turned_back(sum, rotation_by(shape.shift)).cosine);
   return cosine > 0.0f ? power_of_cosine(cosine, shape.exponent) : 0.0f;
 }
+
+}  // namespace detail
 
 inline double_highlight kajiya_kay_double(const glm::vec3& tangent, const glm::vec3& to_light, const glm::vec3& to_eye,
                                           const highlight_shape& primary, const highlight_shape& secondary) noexcept {
@@ -61,7 +65,7 @@ inline double_highlight kajiya_kay_double(const glm::vec3& tangent, const glm::v
   const float across_eye = saturate(vector_length(cross_product(tangent, to_eye)));
   const rotation<float> sum =
       turned_by(rotation<float>{across_light, along_light}, rotation<float>{across_eye, along_eye});
-  return double_highlight{shifted_lobe(sum, primary), shifted_lobe(sum, secondary)};
+  return double_highlight{detail::shifted_lobe(sum, primary), detail::shifted_lobe(sum, secondary)};
 }
 
 inline glm::vec3 shifted_tangent(const glm::vec3& tangent, const glm::vec3& normal, float shift) noexcept {

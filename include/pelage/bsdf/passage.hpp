@@ -31,10 +31,10 @@ template <int Panels, std::floating_point Real>
 template <std::floating_point Real>
 std::array<Real, 3> axial_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept {
   const Real cosine = square_root(greatest((Real(1) - sin_theta) * (Real(1) + sin_theta), Real(0)));
-  const chiang_section<Real> section = cross_chiang_section(eta, Real(0), sin_theta, cosine);
+  const detail::chiang_section<Real> section = detail::cross_chiang_section(eta, Real(0), sin_theta, cosine);
   std::array<Real, 3> passage;
   for (std::uint32_t c = 0u; c < 3u; ++c) {
-    passage[c] = chiang_attenuation(section, sigma_a[c])[1];
+    passage[c] = detail::chiang_attenuation(section, sigma_a[c])[1];
   }
   return passage;
 }
@@ -46,9 +46,9 @@ std::array<Real, 3> mean_passage(Real eta, const std::array<Real, 3>& sigma_a, R
   std::array<Real, 3> passage = {Real(0), Real(0), Real(0)};
   for (int node = 0; node < 3 * Panels; ++node) {
     const width_node<Real> place = fibre_width_node<Real>(node, Panels);
-    const chiang_section<Real> section = cross_chiang_section(eta, place.h, sin_theta, cosine);
+    const detail::chiang_section<Real> section = detail::cross_chiang_section(eta, place.h, sin_theta, cosine);
     for (std::uint32_t c = 0u; c < 3u; ++c) {
-      passage[c] = passage[c] + place.weight * chiang_attenuation(section, sigma_a[c])[1];
+      passage[c] = passage[c] + place.weight * detail::chiang_attenuation(section, sigma_a[c])[1];
     }
   }
   return passage;

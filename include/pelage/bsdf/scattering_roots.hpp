@@ -93,6 +93,8 @@ caustic_point<Real> find_caustic(Real excess) noexcept {
   return caustic_point<Real>{sine, cosine, unsigned_angle(sin_half, cos_half), curvature};
 }
 
+namespace detail {
+
 /// One monotone stretch of 2γ_t - γ_i on [0, π/2], measured from one of its ends.
 template <std::floating_point Real>
 struct root_bracket {
@@ -215,6 +217,8 @@ template <std::floating_point Real>
   return root;
 }
 
+}  // namespace detail
+
 template <std::floating_point Real>
 scattering_roots<Real> find_scattering_roots(int path, Real phi, Real excess) noexcept {
   scattering_roots<Real> roots;
@@ -251,19 +255,19 @@ scattering_roots<Real> find_scattering_roots(int path, Real phi, Real excess) no
   }
   if (path == 2) {
     const caustic_point<Real> caustic = find_caustic(above_one);
-    const Real edge = edge_half_azimuth(above_one);
+    const Real edge = detail::edge_half_azimuth(above_one);
     if (caustic.curvature > Real(0) && half_azimuth <= caustic.half_azimuth) {
-      const scattering_root<Real> near = solve_stretch(above_one, half_azimuth, true, caustic);
+      const scattering_root<Real> near = detail::solve_stretch(above_one, half_azimuth, true, caustic);
       roots.root[roots.count] = scattering_root<Real>{side * near.sine, near.cosine, near.slope};
       roots.count = roots.count + 1u;
       if (half_azimuth >= edge) {
-        const scattering_root<Real> far = solve_stretch(above_one, half_azimuth, false, caustic);
+        const scattering_root<Real> far = detail::solve_stretch(above_one, half_azimuth, false, caustic);
         roots.root[roots.count] = scattering_root<Real>{side * far.sine, far.cosine, far.slope};
         roots.count = roots.count + 1u;
       }
     }
     if (Real(0) - half_azimuth >= edge) {
-      const scattering_root<Real> opposite = solve_stretch(above_one, Real(0) - half_azimuth, false, caustic);
+      const scattering_root<Real> opposite = detail::solve_stretch(above_one, Real(0) - half_azimuth, false, caustic);
       roots.root[roots.count] = scattering_root<Real>{Real(0) - side * opposite.sine, opposite.cosine, opposite.slope};
       roots.count = roots.count + 1u;
     }

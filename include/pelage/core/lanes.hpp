@@ -37,6 +37,8 @@ inline constexpr vector_isa widest_isa = vector_isa::neon;
 inline constexpr vector_isa widest_isa = vector_isa::plain;
 #endif
 
+namespace detail {
+
 /// Calls f(i) for i = 0, 1, … N - 1, each a constant: unrolled under any optimisation, so that arrays of vectors stay
 /// in registers.
 template <std::uint32_t N, class F>
@@ -46,6 +48,8 @@ template <std::uint32_t N, class F>
   }
   (std::make_integer_sequence<std::uint32_t, N>{});
 }
+
+}  // namespace detail
 
 /// How many floats one instruction handles.
 [[nodiscard]] constexpr int lane_width(vector_isa isa = widest_isa) noexcept {

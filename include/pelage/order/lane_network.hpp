@@ -40,7 +40,7 @@ template <std::uint32_t First, std::uint32_t N, std::uint32_t Stride, class Vect
   if constexpr (2u * Stride < N) {
     merge_rows<First, N, 2u * Stride>(row);
     merge_rows<First + Stride, N, 2u * Stride>(row);
-    unroll<N / (2u * Stride) - 1u>([&](auto i) __attribute__((always_inline)) {
+    detail::unroll<N / (2u * Stride) - 1u>([&](auto i) __attribute__((always_inline)) {
       order(row[First + Stride + 2u * Stride * i], row[First + 2u * Stride + 2u * Stride * i]);
     });
   } else {
@@ -62,7 +62,7 @@ template <std::uint32_t First, std::uint32_t N, class Vector, std::uint32_t Rows
 template <std::uint32_t D, class Vector, std::uint32_t Rows>
 [[gnu::always_inline]] inline void sort_bitonic(Vector (&row)[Rows]) noexcept {
   if constexpr (D >= 1u) {
-    unroll<Rows>([&](auto r) __attribute__((always_inline)) {
+    detail::unroll<Rows>([&](auto r) __attribute__((always_inline)) {
       const Vector other = flipped<D>(row[r]);
       row[r] = alternated<D>(least(row[r], other), greatest(row[r], other));
     });
@@ -71,7 +71,7 @@ template <std::uint32_t D, class Vector, std::uint32_t Rows>
     constexpr auto halve = []<std::uint32_t Distance>(
         auto self, Vector(&v)[Rows], std::integral_constant<std::uint32_t, Distance>) __attribute__((always_inline)) {
       if constexpr (Distance >= 1u) {
-        unroll<Rows / 2u>([&](auto i) __attribute__((always_inline)) {
+        detail::unroll<Rows / 2u>([&](auto i) __attribute__((always_inline)) {
           constexpr std::uint32_t r = i / Distance * 2u * Distance + i % Distance;
           order(v[r], v[r + Distance]);
         });
@@ -92,7 +92,7 @@ template <std::uint32_t D, std::uint32_t End, class Vector, std::uint32_t Rows>
       row[0] = alternated<D>(least(row[0], other), greatest(row[0], other));
     } else {
       // Row r meets the mirror image of row Rows - 1 - r; one min and one max serve both.
-      unroll<Rows / 2u>([&](auto r) __attribute__((always_inline)) {
+      detail::unroll<Rows / 2u>([&](auto r) __attribute__((always_inline)) {
         const Vector other = flipped<across>(row[Rows - 1u - r]);
         const Vector lesser = least(row[r], other);
         const Vector greater = greatest(row[r], other);
@@ -113,7 +113,8 @@ inline void sort(lanes<W, T> (&row)[Rows]) noexcept {
 
 template <int W, class T, std::uint32_t Rows>
 inline void keep_least(lanes<W, T> (&a)[Rows], const lanes<W, T> (&b)[Rows]) noexcept {
-  unroll<Rows>([&](auto r) __attribute__((always_inline)) { a[r] = least(a[r], flipped<W - 1>(b[Rows - 1u - r])); });
+  detail::unroll<Rows>([&](auto r)
+                           __attribute__((always_inline)) { a[r] = least(a[r], flipped<W - 1>(b[Rows - 1u - r])); });
   sort_bitonic<W / 2>(a);
 }
 
@@ -123,7 +124,7 @@ inline T lower_median(lanes<W, T> (&row)[Rows]) noexcept {
   merge_lanes<1u, W / 2>(row);
   constexpr std::uint32_t pairs = Rows == 1u ? 1u : Rows / 2u;
   lanes<W, T> found = least(row[0], flipped<W - 1>(row[Rows - 1u]));
-  unroll<pairs - 1u>([&](auto i) __attribute__((always_inline)) {
+  detail::unroll<pairs - 1u>([&](auto i) __attribute__((always_inline)) {
     constexpr std::uint32_t r = i + 1u;
     found = greatest(found, least(row[r], flipped<W - 1>(row[Rows - 1u - r])));
   });

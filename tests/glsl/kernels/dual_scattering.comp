@@ -26,7 +26,7 @@ void main() {
   put(17u, passed.transmitted);
   put(20u, passed.variance);
   put(23u, pelage_dual_scattering(averages, local, global, density, v3(22u), f(25u), f(26u), f(27u)));
-  put(26u, pelage_dual_lobe(f(6u), f(12u), f(18u), f(19u)));
+  put(26u, pelage_detail_dual_lobe(f(6u), f(12u), f(18u), f(19u)));
   const pelage_dual_table_place place = pelage_dual_table_place_of(f(25u), 1u + u(28u));
   put(27u, float(place.low) + place.share);
   put(28u, float(place.high));

@@ -25,7 +25,7 @@ precise pelage_bessel_i0_parts pelage_bessel_i0(float x);
 precise float pelage_log_bessel_i0(float x);
 
 /// I₀ - 1 over x² in float, x² ≤ 36.
-precise float pelage_bessel_i0_rise(float square) {
+precise float pelage_detail_bessel_i0_rise(float square) {
   const float s2 = square * square;
   const float top = 8.05699179e-15 + 4.52113265e-17 * square;
   const float high = 4.69433437e-10 + 2.46096026e-12 * square;
@@ -39,7 +39,7 @@ precise float pelage_bessel_i0_rise(float square) {
 precise pelage_bessel_i0_parts pelage_bessel_i0(float x) {
   const float bounded = pelage_least(x, 6.0);
   const float square = bounded * bounded;
-  const float near = pelage_bessel_i0_rise(square) * square + 1.0;
+  const float near = pelage_detail_bessel_i0_rise(square) * square + 1.0;
   const float t = 1.0 / pelage_greatest(x, 6.0);
   const float high = 0.602922142 * t + -0.0839143246;
   const float middle = 0.041742567 * t + 0.0275332332;
@@ -50,7 +50,7 @@ precise pelage_bessel_i0_parts pelage_bessel_i0(float x) {
 
 precise float pelage_log_bessel_i0(float x) {
   // ln(1 + r) = ln(1 + r rounded) + what the rounding lost, or r itself where nothing is left of it.
-  const float rise = pelage_bessel_i0_rise(x * x) * x * x;
+  const float rise = pelage_detail_bessel_i0_rise(x * x) * x * x;
   const float sum = 1.0 + rise;
   const pelage_bessel_i0_parts parts = pelage_bessel_i0(x);
   const float far = pelage_natural_logarithm(parts.value) + parts.growth;

@@ -76,7 +76,7 @@ precise float pelage_chiang_density(pelage_chiang_fibre fibre, pelage_chiang_vie
 
 /// What the steps of the model hand on. Each is a function of its own so that a CPU may run it on packs: over lobes or
 /// channels (chiang_quad.hpp) as over fibres (chiang_batch.hpp).
-struct pelage_chiang_section {
+struct pelage_detail_chiang_section {
   pelage_interface_shares surface;  ///< Fresnel's F and 1 - F where the eye's ray enters
   float radii;                      ///< length of one crossing of the fibre, in radii
   pelage_rotation entry;            ///< by 2γ_o
@@ -84,7 +84,7 @@ struct pelage_chiang_section {
 };
 
 /// Refraction in the fibre's section at an offset h.
-precise pelage_chiang_section pelage_cross_chiang_section(float eta, float h, float sin_o, float cos_o) {
+precise pelage_detail_chiang_section pelage_detail_cross_chiang_section(float eta, float h, float sin_o, float cos_o) {
   // sin γ_t = h/η′ with η′ = √(η² - sin²θ_o)/cos θ_o.
   const float across = pelage_greatest(-1.0, pelage_least(1.0, h));
   const float cos_gamma_o = pelage_square_root((1.0 - across) * (1.0 + across));
@@ -92,14 +92,14 @@ precise pelage_chiang_section pelage_cross_chiang_section(float eta, float h, fl
   const float sin_gamma_t = across * pelage_least(cos_o * over_bent, 1.0);
   const float cos_gamma_t = pelage_square_root((1.0 - sin_gamma_t) * (1.0 + sin_gamma_t));
   // One crossing is 2 cos γ_t/cos θ_t long, and cos θ_t = √(η² - sin²θ_o)/η.
-  return pelage_chiang_section(
+  return pelage_detail_chiang_section(
       pelage_dielectric_interface(cos_o * cos_gamma_o, eta), 2.0 * cos_gamma_t * eta * over_bent,
       pelage_rotation(1.0 - 2.0 * across * across, 2.0 * across * cos_gamma_o),
       pelage_rotation(2.0 * sin_gamma_t * sin_gamma_t - 1.0, -2.0 * sin_gamma_t * cos_gamma_t));
 }
 
 /// A_0 to A_3 for one σ_a. [Chiang 2016 Eq. 6; d'Eon 2011 §3.2]
-precise float[4] pelage_chiang_attenuation(pelage_chiang_section section, float sigma_a) {
+precise float[4] pelage_detail_chiang_attenuation(pelage_detail_chiang_section section, float sigma_a) {
   const pelage_interface_shares surface = section.surface;
   const float depth = sigma_a * section.radii;
   const float kept = pelage_exponential(0.0 - depth);
@@ -160,14 +160,14 @@ precise pelage_chiang_view pelage_view_chiang(pelage_chiang_fibre fibre, float h
     view.flipped[p] = pelage_select(turned.cosine < 0.0, 1.0, 0.0);
     view.tilted[p] = pelage_rotation(pelage_absolute(turned.cosine), turned.sine);
   }
-  const pelage_chiang_section section = pelage_cross_chiang_section(fibre.eta, h, eye.sine, eye.cosine);
+  const pelage_detail_chiang_section section = pelage_detail_cross_chiang_section(fibre.eta, h, eye.sine, eye.cosine);
   view.towards[0] = pelage_turned_back(pelage_rotation(eye.y, eye.z), section.entry);
   view.towards[1] = pelage_turned_by(view.towards[0], section.crossing);
   view.towards[2] = pelage_turned_by(view.towards[1], section.crossing);
 
   float sums[4] = float[4](0.0, 0.0, 0.0, 0.0);
   for (uint c = 0u; c < 3u; ++c) {
-    const float path[4] = pelage_chiang_attenuation(section, fibre.sigma_a[c]);
+    const float path[4] = pelage_detail_chiang_attenuation(section, fibre.sigma_a[c]);
     for (uint p = 0u; p < 4u; ++p) {
       view.attenuation[p][c] = fibre.tints[p] * path[p];
       sums[p] = sums[p] + view.attenuation[p][c];

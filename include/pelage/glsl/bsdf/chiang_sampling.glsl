@@ -33,7 +33,7 @@ precise pelage_chiang_bsdf pelage_evaluate_chiang_bsdf(pelage_chiang_fibre fibre
 precise pelage_chiang_sample pelage_sample_chiang(pelage_chiang_fibre fibre, pelage_chiang_view view, float u[4]);
 
 /// The lobe that a number in [0, 1) picks by its weight. A residual lobe of weight 0 is not picked.
-precise uint pelage_pick_chiang_lobe(float weights[4], float u) {
+precise uint pelage_detail_pick_chiang_lobe(float weights[4], float u) {
   const float first = weights[0];
   const float second = first + weights[1];
   const float third = second + weights[2];
@@ -43,8 +43,9 @@ precise uint pelage_pick_chiang_lobe(float weights[4], float u) {
 
 /// Draws a direction from one lobe: its M round the eye's tilted inclination, its N round the middle, or for the
 /// `residual` lobe any azimuth. Takes the last three of the four numbers.
-precise vec3 pelage_draw_chiang_direction(pelage_longitudinal_lobe along, pelage_azimuthal_lobe around,
-                                          pelage_rotation tilted, pelage_rotation middle, bool residual, float u[4]) {
+precise vec3 pelage_detail_draw_chiang_direction(pelage_longitudinal_lobe along, pelage_azimuthal_lobe around,
+                                                 pelage_rotation tilted, pelage_rotation middle, bool residual,
+                                                 float u[4]) {
   const float from_middle = residual ? 6.283185307179586477 * u[3] : pelage_sample_azimuthal(around, u[3]);
   const pelage_rotation inclination = pelage_sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
   const pelage_rotation azimuth = pelage_turned_by(middle, pelage_rotation_by(from_middle));
@@ -66,7 +67,7 @@ precise pelage_chiang_bsdf pelage_evaluate_chiang_bsdf(pelage_chiang_fibre fibre
 
 precise pelage_chiang_sample pelage_sample_chiang(pelage_chiang_fibre fibre, pelage_chiang_view view, float u[4]) {
   pelage_chiang_sample drawn;
-  drawn.lobe = pelage_pick_chiang_lobe(view.weights, u[0]);
+  drawn.lobe = pelage_detail_pick_chiang_lobe(view.weights, u[0]);
   pelage_longitudinal_lobe along = fibre.longitudinal[3];
   pelage_rotation tilted = pelage_rotation(view.eye.cosine, view.eye.sine);
   pelage_rotation middle = pelage_rotation(view.eye.y, view.eye.z);
@@ -77,7 +78,7 @@ precise pelage_chiang_sample pelage_sample_chiang(pelage_chiang_fibre fibre, pel
       middle = view.towards[p];
     }
   }
-  drawn.direction = pelage_draw_chiang_direction(along, fibre.azimuthal, tilted, middle, drawn.lobe == 3u, u);
+  drawn.direction = pelage_detail_draw_chiang_direction(along, fibre.azimuthal, tilted, middle, drawn.lobe == 3u, u);
   drawn.result = pelage_evaluate_chiang(fibre, view, pelage_direction_by_fibre(drawn.direction));
   return drawn;
 }

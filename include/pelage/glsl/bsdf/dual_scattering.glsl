@@ -82,7 +82,7 @@ precise vec3 pelage_dual_scattering(pelage_dual_averages averages, pelage_dual_l
 
 /// The share per steradian of a lobe: a Gaussian in θ_h and linear in |φ|, forward (largest at ±π) or backward (at 0);
 /// integrates to 1 over the sphere except for what a wide Gaussian leaves beyond ±π/2.
-precise float pelage_dual_lobe(float theta_h, float variance, float cos_theta_r, float share_of_azimuth) {
+precise float pelage_detail_dual_lobe(float theta_h, float variance, float cos_theta_r, float share_of_azimuth) {
   const float v = pelage_greatest(variance, 1e-8);
   // ½ since θ_r is twice θ_h; 1/π for the half circle.
   const float gauss = pelage_exponential(-0.5 * theta_h * theta_h / v) * 0.398942280401432678 / pelage_square_root(v);
@@ -147,13 +147,13 @@ precise vec3 pelage_dual_scattering(pelage_dual_averages averages, pelage_dual_l
     const float sigma2 = global.variance[c];
     const float from_behind = 2.0 * density.backward * local.albedo[c];
     const float direct =
-        single[c] + from_behind * pelage_dual_lobe(theta_h - local.shift[c], local.variance[c], cosine, back);
+        single[c] + from_behind * pelage_detail_dual_lobe(theta_h - local.shift[c], local.variance[c], cosine, back);
     const float scattered =
-        averages.forward[c] * pelage_dual_lobe(theta_h - averages.forward_shift[c],
-                                               averages.forward_variance[c] + sigma2, cosine, onward) +
-        averages.backward[c] * pelage_dual_lobe(theta_h - averages.backward_shift[c],
-                                                averages.backward_variance[c] + sigma2, cosine, back) +
-        from_behind * pelage_dual_lobe(theta_h - local.shift[c], local.variance[c] + sigma2, cosine, back);
+        averages.forward[c] * pelage_detail_dual_lobe(theta_h - averages.forward_shift[c],
+                                                      averages.forward_variance[c] + sigma2, cosine, onward) +
+        averages.backward[c] * pelage_detail_dual_lobe(theta_h - averages.backward_shift[c],
+                                                       averages.backward_variance[c] + sigma2, cosine, back) +
+        from_behind * pelage_detail_dual_lobe(theta_h - local.shift[c], local.variance[c] + sigma2, cosine, back);
     sum[c] = global.direct * direct + global.transmitted[c] * scattered;
   }
   return sum;

@@ -42,7 +42,7 @@ pelage_double_highlight pelage_kajiya_kay_double(vec3 tangent, vec3 to_light, ve
 precise vec3 pelage_shifted_tangent(vec3 tangent, vec3 normal, float shift);
 
 /// cosᵖ of the sum of two inclinations less the shift.
-float pelage_shifted_lobe(pelage_rotation sum, pelage_highlight_shape shape) {
+float pelage_detail_shifted_lobe(pelage_rotation sum, pelage_highlight_shape shape) {
   const float cosine = pelage_saturate(pelage_turned_back(sum, pelage_rotation_by(shape.shift)).cosine);
   return cosine > 0.0 ? pelage_power_of_cosine(cosine, shape.exponent) : 0.0;
 }
@@ -57,7 +57,7 @@ pelage_double_highlight pelage_kajiya_kay_double(vec3 tangent, vec3 to_light, ve
   const float across_eye = pelage_saturate(pelage_vector_length(pelage_cross_product(tangent, to_eye)));
   const pelage_rotation sum =
       pelage_turned_by(pelage_rotation(across_light, along_light), pelage_rotation(across_eye, along_eye));
-  return pelage_double_highlight(pelage_shifted_lobe(sum, primary), pelage_shifted_lobe(sum, secondary));
+  return pelage_double_highlight(pelage_detail_shifted_lobe(sum, primary), pelage_detail_shifted_lobe(sum, secondary));
 }
 
 precise vec3 pelage_shifted_tangent(vec3 tangent, vec3 normal, float shift) {

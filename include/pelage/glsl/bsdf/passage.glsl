@@ -48,10 +48,10 @@ precise float[3] pelage_mean_passage(float eta, float sigma_a[3], float sin_thet
 
 precise float[3] pelage_axial_passage(float eta, float sigma_a[3], float sin_theta) {
   const float cosine = pelage_square_root(pelage_greatest((1.0 - sin_theta) * (1.0 + sin_theta), 0.0));
-  const pelage_chiang_section section = pelage_cross_chiang_section(eta, 0.0, sin_theta, cosine);
+  const pelage_detail_chiang_section section = pelage_detail_cross_chiang_section(eta, 0.0, sin_theta, cosine);
   float passage[3];
   for (uint c = 0u; c < 3u; ++c) {
-    passage[c] = pelage_chiang_attenuation(section, sigma_a[c])[1];
+    passage[c] = pelage_detail_chiang_attenuation(section, sigma_a[c])[1];
   }
   return passage;
 }
@@ -63,9 +63,9 @@ precise float[3] pelage_mean_passage(float eta, float sigma_a[3], float sin_thet
   float passage[3] = float[3](0.0, 0.0, 0.0);
   for (int node = 0; node < 3 * PELAGE_MEAN_PASSAGE_PANELS; ++node) {
     const pelage_width_node place = pelage_fibre_width_node(node, PELAGE_MEAN_PASSAGE_PANELS);
-    const pelage_chiang_section section = pelage_cross_chiang_section(eta, place.h, sin_theta, cosine);
+    const pelage_detail_chiang_section section = pelage_detail_cross_chiang_section(eta, place.h, sin_theta, cosine);
     for (uint c = 0u; c < 3u; ++c) {
-      passage[c] = passage[c] + place.weight * pelage_chiang_attenuation(section, sigma_a[c])[1];
+      passage[c] = passage[c] + place.weight * pelage_detail_chiang_attenuation(section, sigma_a[c])[1];
     }
   }
   return passage;

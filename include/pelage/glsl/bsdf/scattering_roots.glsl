@@ -51,7 +51,7 @@ precise float pelage_azimuth_derivative(int path, float h, float eta_perpendicul
 precise float pelage_wrapped_angle(float x);
 
 /// One monotone stretch of 2γ_t - γ_i on [0, π/2], measured from one of its ends.
-struct pelage_root_bracket {
+struct pelage_detail_root_bracket {
   float eta;
   float excess;             ///< η′² - 1
   pelage_rotation outside;  ///< γ_i at the reference end
@@ -61,8 +61,8 @@ struct pelage_root_bracket {
 
 /// What the stretch does at an offset x from its reference end: 2γ_t - γ_i less the sought value, and `root` there. Not
 /// both in one struct: glslang 12 follows `precise` round the loop below through a struct's parts without end.
-precise float pelage_sample_bracket(pelage_root_bracket bracket, float x, pelage_caustic_point caustic,
-                                    precise inout pelage_scattering_root root) {
+precise float pelage_detail_sample_bracket(pelage_detail_root_bracket bracket, float x, pelage_caustic_point caustic,
+                                           precise inout pelage_scattering_root root) {
   const float eta = bracket.eta;
   const pelage_rotation halfway = pelage_rotation_by(0.5 * bracket.direction * x);
   const pelage_rotation middle = pelage_turned_by(bracket.outside, halfway);
@@ -87,7 +87,7 @@ precise float pelage_sample_bracket(pelage_root_bracket bracket, float x, pelage
 /// The paper's cubic: the root of γ³ - (a/b)γ + ψ/b = 0 with asin(sin γ/η′) taken as (3c/π)γ - (4c/π³)γ³, c =
 /// asin(1/η′). `turn` 0 gives the greatest of three roots, 1 the middle one. Negative if it has not three.
 /// [Marschner 2003 Eq. 10]
-precise float pelage_cubic_root_start(float eta, float half_azimuth, int turn) {
+precise float pelage_detail_cubic_root_start(float eta, float half_azimuth, int turn) {
   const float c = pelage_angle_of_sine(1.0 / eta);
   const float a = 1.90985931710274403 * c - 1.0;
   const float b = 0.258012275465595961 * c;
@@ -104,13 +104,13 @@ precise float pelage_cubic_root_start(float eta, float half_azimuth, int turn) {
 }
 
 /// 2γ_t - γ_i at the fibre's edge, 2 asin(1/η′) - π/2, whose sine is 2/η′² - 1.
-precise float pelage_edge_half_azimuth(float excess) {
+precise float pelage_detail_edge_half_azimuth(float excess) {
   return pelage_angle_of(1.0 - excess, 2.0 * pelage_square_root(excess));
 }
 
 /// The root of one stretch: 2γ_t - γ_i = ψ between the caustic and 0 (`inner`) or the fibre's edge.
-precise pelage_scattering_root pelage_solve_stretch(float excess, float half_azimuth, bool inner,
-                                                    pelage_caustic_point caustic) {
+precise pelage_scattering_root pelage_detail_solve_stretch(float excess, float half_azimuth, bool inner,
+                                                           pelage_caustic_point caustic) {
   const float right_angle = 1.57079632679489662;
   const float eta = pelage_square_root(1.0 + excess);
   const float caustic_angle = pelage_angle_of(caustic.sine, caustic.cosine);
@@ -118,10 +118,10 @@ precise pelage_scattering_root pelage_solve_stretch(float excess, float half_azi
   const float drop = caustic.half_azimuth - half_azimuth;
   const float parabola =
       caustic.curvature > 0.0 ? pelage_square_root(2.0 * pelage_greatest(drop, 0.0) / caustic.curvature) : extent;
-  const float cubic = pelage_cubic_root_start(eta, half_azimuth, inner ? 1 : 0);
+  const float cubic = pelage_detail_cubic_root_start(eta, half_azimuth, inner ? 1 : 0);
   const bool by_caustic = parabola < 0.5 * extent;
 
-  pelage_root_bracket bracket;
+  pelage_detail_root_bracket bracket;
   bracket.eta = eta;
   bracket.excess = excess;
   float x = parabola;
@@ -137,7 +137,7 @@ precise pelage_scattering_root pelage_solve_stretch(float excess, float half_azi
   } else {
     bracket.outside = pelage_rotation(0.0, 1.0);
     bracket.direction = -1.0;
-    bracket.rise = half_azimuth - pelage_edge_half_azimuth(excess);
+    bracket.rise = half_azimuth - pelage_detail_edge_half_azimuth(excess);
     x = right_angle - cubic;
   }
   if (!(x >= 0.0 && x <= extent)) {
@@ -149,7 +149,7 @@ precise pelage_scattering_root pelage_solve_stretch(float excess, float half_azi
   float low = 0.0;
   float high = extent;
   pelage_scattering_root root = pelage_scattering_root(0.0, 1.0, 1.0);
-  float above = pelage_sample_bracket(bracket, x, caustic, root);
+  float above = pelage_detail_sample_bracket(bracket, x, caustic, root);
   for (int iteration = 0; iteration < 60; ++iteration) {
     const bool past = towards * above > 0.0;
     low = past ? low : x;
@@ -159,7 +159,7 @@ precise pelage_scattering_root pelage_solve_stretch(float excess, float half_azi
     const float next = inside ? newton : 0.5 * (low + high);
     const float moved = pelage_absolute(next - x);
     x = next;
-    above = pelage_sample_bracket(bracket, x, caustic, root);
+    above = pelage_detail_sample_bracket(bracket, x, caustic, root);
     if (moved <= 1.1920929e-07 * x) {
       break;
     }
@@ -230,19 +230,20 @@ precise pelage_scattering_roots pelage_find_scattering_roots(int path, float phi
   }
   if (path == 2) {
     const pelage_caustic_point caustic = pelage_find_caustic(above_one);
-    const float edge = pelage_edge_half_azimuth(above_one);
+    const float edge = pelage_detail_edge_half_azimuth(above_one);
     if (caustic.curvature > 0.0 && half_azimuth <= caustic.half_azimuth) {
-      const pelage_scattering_root near = pelage_solve_stretch(above_one, half_azimuth, true, caustic);
+      const pelage_scattering_root near = pelage_detail_solve_stretch(above_one, half_azimuth, true, caustic);
       roots.root[roots.count] = pelage_scattering_root(side * near.sine, near.cosine, near.slope);
       roots.count = roots.count + 1u;
       if (half_azimuth >= edge) {
-        const pelage_scattering_root far = pelage_solve_stretch(above_one, half_azimuth, false, caustic);
+        const pelage_scattering_root far = pelage_detail_solve_stretch(above_one, half_azimuth, false, caustic);
         roots.root[roots.count] = pelage_scattering_root(side * far.sine, far.cosine, far.slope);
         roots.count = roots.count + 1u;
       }
     }
     if (0.0 - half_azimuth >= edge) {
-      const pelage_scattering_root opposite = pelage_solve_stretch(above_one, 0.0 - half_azimuth, false, caustic);
+      const pelage_scattering_root opposite =
+          pelage_detail_solve_stretch(above_one, 0.0 - half_azimuth, false, caustic);
       roots.root[roots.count] = pelage_scattering_root(0.0 - side * opposite.sine, opposite.cosine, opposite.slope);
       roots.count = roots.count + 1u;
     }
