@@ -5,7 +5,11 @@
 #include "frame/scratch_folder.hpp"
 #include "property.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <array>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -57,6 +61,36 @@ TEST_CASE("without commit nothing is left, and what was there is as it was") {
   }
   CHECK(read(old) == "old");
   CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a process that is killed before commit leaves nothing") {
+  const scratch_folder folder;
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    output_files one;
+    one.add(folder.path / "new" / "a");
+    one.write(folder.path / "new" / "a", bytes_of("one"));
+    kill(getpid(), SIGKILL);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(WIFSIGNALED(status));
+  CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a commit that fails leaves nothing of its own") {
+  const scratch_folder folder;
+  const fs::path blocked = folder.path / "new" / "b";
+  output_files both;
+  both.add(folder.path / "new" / "a");
+  both.add(blocked);
+  fs::create_directories(blocked / "in the way");
+  CHECK_THROWS_AS(both.commit(), std::runtime_error);
+  fs::remove_all(blocked);
+  CHECK(!fs::exists(folder.path / "new" / "b"));
+  for (const auto& left : fs::directory_iterator(folder.path / "new"))
+    CHECK(left.path().filename() == "a");
 }
 
 TEST_CASE("a path that cannot be a result is refused before anything is written") {

@@ -4,10 +4,12 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
+#include <memory>
 #include <stdexcept>
 #include <system_error>
 
@@ -21,23 +23,76 @@ namespace {
   throw std::runtime_error(printable(path) + ": " + fault);
 }
 
-/// The folders on the way to a path that are not there yet, outermost first.
-std::vector<fs::path> missing_folders(const fs::path& path) {
-  std::vector<fs::path> missing;
-  for (fs::path p = path.parent_path(); !p.empty() && !fs::exists(p); p = p.parent_path())
-    missing.push_back(p);
-  std::reverse(missing.begin(), missing.end());
-  return missing;
-}
+/// A file beside the name that it is to have, gone again with the folders made for it unless it got the name.
+class partial_file {
+ public:
+  explicit partial_file(const fs::path& path) : path_(path), partial_(path) {
+    partial_ += "." + std::to_string(getpid()) + ".partial";
+    std::vector<fs::path> missing;
+    for (fs::path p = path.parent_path(); !p.empty() && !fs::exists(p); p = p.parent_path())
+      missing.push_back(p);
+    std::error_code error;
+    for (; !missing.empty() && !error; missing.pop_back()) {
+      if (fs::create_directory(missing.back(), error)) folders_.push_back(missing.back());
+    }
+    if (error) refuse(error.message());
+    write({});
+  }
+  partial_file(const partial_file&) = delete;
+  partial_file& operator=(const partial_file&) = delete;
+  ~partial_file() { remove(); }
 
-void write_bytes(const fs::path& path, const fs::path& name, std::span<const std::byte> bytes) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) fail(name, std::string("cannot be written: ") + std::strerror(errno));
-  const bool written = bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-  int reason = written ? 0 : errno;
-  if (std::fclose(file) != 0 && reason == 0) reason = errno;
-  if (reason != 0) fail(name, std::string("cannot be written: ") + std::strerror(reason));
-}
+  void write(std::span<const std::byte> bytes) {
+    std::FILE* file = std::fopen(partial_.c_str(), "wb");
+    if (file == nullptr) refuse(std::strerror(errno));
+    const bool written = bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    int reason = written ? 0 : errno;
+    if (std::fclose(file) != 0 && reason == 0) reason = errno;
+    if (reason != 0) refuse(std::strerror(reason));
+  }
+
+  void take_name() {
+    std::error_code error;
+    fs::rename(partial_, path_, error);
+    if (error) refuse(error.message());
+    folders_.clear();
+  }
+
+ private:
+  void remove() noexcept {
+    std::error_code ignored;
+    fs::remove(partial_, ignored);
+    for (; !folders_.empty(); folders_.pop_back())
+      fs::remove(folders_.back(), ignored);
+  }
+
+  [[noreturn]] void refuse(const std::string& reason) {
+    remove();  // a constructor that throws has no destructor
+    fail(path_, "cannot be written: " + reason);
+  }
+
+  fs::path path_, partial_;
+  std::vector<fs::path> folders_;  ///< made for it, outermost first
+};
+
+/// While it lives the signals that ask a process to end do nothing.
+class ignored_signals {
+ public:
+  ignored_signals() {
+    for (std::size_t i = 0; i < std::size(signals); ++i)
+      before_[i] = std::signal(signals[i], SIG_IGN);
+  }
+  ignored_signals(const ignored_signals&) = delete;
+  ignored_signals& operator=(const ignored_signals&) = delete;
+  ~ignored_signals() {
+    for (std::size_t i = 0; i < std::size(signals); ++i)
+      std::signal(signals[i], before_[i]);
+  }
+
+ private:
+  static constexpr int signals[] = {SIGHUP, SIGINT, SIGTERM};
+  void (*before_[std::size(signals)])(int);
+};
 
 }  // namespace
 
@@ -55,45 +110,35 @@ void output_files::add(const fs::path& path) {
   const fs::file_status status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "is not a regular file");
 
-  for (const fs::path& folder : missing_folders(path)) {
-    if (fs::create_directory(folder, error)) folders_.push_back(folder);
-    if (error) fail(path, "cannot be written: " + error.message());
-  }
   const fs::path whole = fs::weakly_canonical(path, error);
   for (const file& other : files_) {
     if (fs::weakly_canonical(other.path, error) == whole) fail(path, "two results would have this name");
   }
-  fs::path partial = path;
-  partial += ".";
-  partial += std::to_string(getpid());
-  partial += ".partial";
-  write_bytes(partial, path, {});
-  files_.push_back({path, partial});
+  const partial_file attempt(path);
+  files_.push_back({path, {}});
 }
 
 void output_files::write(const fs::path& path, std::span<const std::byte> bytes) {
-  for (const file& f : files_) {
-    if (f.path == path) return write_bytes(f.partial, path, bytes);
+  for (file& f : files_) {
+    if (f.path == path) return f.bytes.assign(bytes.begin(), bytes.end());
   }
   fail(path, "was not begun");
 }
 
 void output_files::commit() {
-  for (const file& f : files_) {
-    std::error_code error;
-    fs::rename(f.partial, f.path, error);
-    if (error) fail(f.path, "cannot be written: " + error.message());
+  const ignored_signals until_named;
+  std::vector<std::unique_ptr<partial_file>> begun;
+  try {
+    for (const file& f : files_)
+      begun.emplace_back(std::make_unique<partial_file>(f.path))->write(f.bytes);
+    for (const auto& each : begun)
+      each->take_name();
+  } catch (...) {
+    for (; !begun.empty(); begun.pop_back()) {  // the first made the folders of the later ones
+    }
+    throw;
   }
   files_.clear();
-  folders_.clear();
-}
-
-output_files::~output_files() {
-  std::error_code ignored;
-  for (const file& f : files_)
-    fs::remove(f.partial, ignored);
-  for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder)
-    fs::remove(*folder, ignored);
 }
 
 void write_file(const fs::path& path, std::span<const std::byte> bytes) {

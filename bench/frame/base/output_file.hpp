@@ -9,32 +9,29 @@
 
 namespace pelage::frame {
 
-/// Files that appear together or not at all. Each is written beside its name first and takes it in commit(); until
-/// then what the names stood for is as it was, and without commit() nothing is left, folders included that add() made.
+/// Files that appear together or not at all: they and their folders are made in commit(), each beside its name first.
+/// Until then they are kept in memory, so that a process that ends before, by a signal too, leaves nothing behind;
+/// while commit() runs, SIGHUP, SIGINT and SIGTERM are ignored.
 class output_files {
  public:
-  output_files() = default;
-  output_files(const output_files&) = delete;
-  output_files& operator=(const output_files&) = delete;
-  ~output_files();
-
-  /// Begins a file, so that a path that cannot be written is found before the work for it is done. Makes its folder.
-  /// Throws std::runtime_error, "FILE: what is wrong" on one line; also for what is no regular file (a folder, a
-  /// device), and for a path that was added before.
+  /// Promises a file, so that a path that cannot be written is found before the work for it is done: makes it and its
+  /// folders and takes them away again. Throws std::runtime_error, "FILE: what is wrong" on one line; also for what is
+  /// no regular file (a folder, a device), and for a path that was added before.
   void add(const std::filesystem::path& path);
 
   /// Gives a file that was added its bytes. Throws as add() does.
   void write(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-  /// Gives all files their names. Throws as add() does.
+  /// Makes all files. Throws as add() does; a folder that took the place of one of them meanwhile leaves those before
+  /// it.
   void commit();
 
  private:
   struct file {
-    std::filesystem::path path, partial;
+    std::filesystem::path path;
+    std::vector<std::byte> bytes;
   };
   std::vector<file> files_;
-  std::vector<std::filesystem::path> folders_;  ///< made by add(), outermost first
 };
 
 /// Writes a whole file or nothing. Throws as output_files does.
