@@ -80,6 +80,26 @@ TEST_CASE("the transmittance of a sum is 2 to minus its octaves within 1e-7 (1 +
   CHECK_MESSAGE(worst.error < 1e-7, worst);
 }
 
+template <class Number>
+concept is_taken_as_optical = requires(Number x) {
+  transmittance_of(x);
+};
+static_assert(is_taken_as_optical<std::uint32_t> && is_taken_as_optical<float>);
+static_assert(!is_taken_as_optical<int> && !is_taken_as_optical<double> && !is_taken_as_optical<std::uint64_t>);
+
+TEST_CASE("a float's transmittance is that of its integer, and falls to 0 beyond all integers") {
+  holds("any amount", [] {
+    const auto optical = *rc::gen::arbitrary<std::uint32_t>() >> *rc::gen::inRange(0, 32);
+    RC_ASSERT(transmittance_of(static_cast<float>(optical)) == transmittance_of(optical));
+  });
+  for (const float beyond : {0x1p32f, 6.7e9f, 3e38f, std::numeric_limits<float>::infinity()}) {
+    CHECK(transmittance_of(beyond) == 0.0f);
+  }
+  for (const float none : {-0.0f, -1.0f, -3e38f, std::numeric_limits<float>::quiet_NaN()}) {
+    CHECK(transmittance_of(none) == 1.0f);
+  }
+}
+
 TEST_CASE("nothing passes exactly all, and above 126 octaves all passes nothing") {
   CHECK(transmittance_of(0u) == 1.0f);
   CHECK(transmittance_of(126u * unit) == 0x1p-126f);

@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
+#include <pelage/composite/optical_depth.hpp>
 #include <pelage/visibility/depth_range.hpp>
 #include <pelage/visibility/opacity_map.hpp>
 
@@ -68,6 +69,17 @@ TEST_CASE("a layer counts by the share of it that lies before") {
   CHECK(map.amount_before(1.5f) == 10.0f);
   CHECK(map.amount_before(3.0f) == 12.0f);
   CHECK(map.amount_before(4.0f) == 14.0f);
+}
+
+TEST_CASE("no light passes 200 opaque fragments, in one layer or in all") {
+  auto map = opacity_map<4u>::empty();
+  for (std::uint32_t i = 0u; i < 200u; ++i) {
+    map.add(static_cast<float>(i % 4u), optical_depth(1.0f));
+  }
+  CHECK(transmittance_of(map.amount_before(4.0f)) == 0.0f);  // 6.7e9 units
+  CHECK(transmittance_of(map.amount_before(0.0f)) == 1.0f);
+  map.accumulate();
+  CHECK(transmittance_of(map.accumulated_before(4.0f)) == 0.0f);
 }
 
 TEST_CASE("both ways to look up agree to rounding") {

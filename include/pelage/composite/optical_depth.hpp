@@ -5,6 +5,7 @@
 #include <pelage/core/math.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace pelage::inline PELAGE_ABI {
 
@@ -27,6 +28,17 @@ template <single_precision Real>
 [[nodiscard]] constexpr float transmittance_of(std::uint32_t optical) noexcept {
   return fast_exp2(-static_cast<float>(optical) * (1.0f / 1048576.0f));
 }
+
+/// The same for an estimate of a sum, such as the amount_before() of a map. `optical`: in units of 2⁻²⁰ octaves,
+/// [0, inf]; a negative one and NaN count as 0.
+[[nodiscard]] constexpr float transmittance_of(float optical) noexcept {
+  return fast_exp2(-(optical > 0.0f ? optical : 0.0f) * (1.0f / 1048576.0f));
+}
+
+/// Other numbers are refused: one in octaves, or of 64 bits, would silently become units.
+template <class Number>
+requires std::is_arithmetic_v<Number>
+float transmittance_of(Number optical) = delete;
 
 // ---------------------------------------------------------------------------------------------------------
 

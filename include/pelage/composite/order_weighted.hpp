@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/composite/optical_depth.hpp>
 #include <pelage/composite/weighted_sum.hpp>
 #include <pelage/core/exact_begin.hpp>
 #include <pelage/core/math.hpp>
@@ -23,9 +24,9 @@ namespace pelage::inline PELAGE_ABI {
 }
 
 /// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum optical_depth(alpha), and so
-/// know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
+/// know of fragments whose alphas differ. `optical`: as for transmittance_of().
 [[nodiscard]] constexpr float optical_weight(float alpha, float optical) noexcept {
-  return saturate(alpha) * fast_exp2(-optical * (1.0f / 1048576.0f));
+  return saturate(alpha) * transmittance_of(optical);
 }
 
 }  // namespace pelage

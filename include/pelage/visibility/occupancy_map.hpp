@@ -23,9 +23,9 @@ namespace pelage::inline PELAGE_ABI {
 ///
 /// Keeps which slices hold anything and what each slab holds; drops how much lies in each slice of a slab. Depends on
 /// the set of fragments alone, bit for bit. Sums count fragments, or whatever `amount` the caller gives, such as
-/// optical_depth(alpha); they stop at 2³² - 1. Slices / 8 + 4 · Slabs bytes: 32 at 128 slices and 4 slabs, 40 with the
-/// depth_range. An opaque object's limit cuts fragments before they come here; what lies behind the range is
-/// shadowed by all slabs.
+/// optical_depth(alpha), which transmittance_of() reads back; they stop at 2³² - 1. Slices / 8 + 4 · Slabs bytes: 32 at
+/// 128 slices and 4 slabs, 40 with the depth_range. An opaque object's limit cuts fragments before they come here; what
+/// lies behind the range is shadowed by all slabs.
 template <std::uint32_t Slices = 128u, std::uint32_t Slabs = 4u>
 struct occupancy_map {
   static_assert(Slices % 32u == 0u && Slices > 0u, "pelage::occupancy_map: Slices must be a multiple of 32");

@@ -19,7 +19,8 @@ namespace pelage::inline PELAGE_ABI {
 ///
 /// Keeps what each layer holds, what lies beyond the last in the last; drops where in its layer a fragment lies.
 /// Depends on the set of fragments alone, bit for bit. Sums count fragments, or whatever `added` the caller gives,
-/// such as optical_depth(alpha); they stop at 2³² - 1. 4 · Layers bytes, 8 more with the depth_range.
+/// such as optical_depth(alpha), which transmittance_of() reads back; they stop at 2³² - 1. 4 · Layers bytes, 8 more
+/// with the depth_range.
 template <std::uint32_t Layers>
 struct opacity_map {
   static_assert(Layers > 0u, "pelage::opacity_map<Layers>: at least one layer");

@@ -4,7 +4,7 @@
 #ifndef PELAGE_FRAME_OCCUPANCY_SHADOW_GLSL
 #define PELAGE_FRAME_OCCUPANCY_SHADOW_GLSL
 #include "occupancy.glsl"
-#include "pelage/glsl/core/math.glsl"
+#include "pelage/glsl/composite/optical_depth.glsl"
 
 float transmittance_at(uint texel, float depth) {
   if (depth > limits[texel]) {
@@ -12,7 +12,7 @@ float transmittance_at(uint texel, float depth) {
   }
   const occupancy o = load_occupancy(texel);
   const float before = pelage_occupancy_map_amount_before(o.map, light_position(o.range, depth));
-  return pelage_fast_exp2(-before * (1.0 / 1048576.0));
+  return pelage_transmittance_of(before);
 }
 
 /// Of a square of four texels, by rows.

@@ -25,6 +25,12 @@ precise float pelage_transmittance_of(uint optical) {
   return pelage_fast_exp2(-float(optical) * (1.0 / 1048576.0));
 }
 
+/// The same for an estimate of a sum, such as the amount_before() of a map. `optical`: in units of 2⁻²⁰ octaves,
+/// [0, inf]; a negative one and NaN count as 0.
+precise float pelage_transmittance_of(float optical) {
+  return pelage_fast_exp2(-(optical > 0.0 ? optical : 0.0) * (1.0 / 1048576.0));
+}
+
 // ---------------------------------------------------------------------------------------------------------
 
 precise uint pelage_optical_depth(float alpha) {

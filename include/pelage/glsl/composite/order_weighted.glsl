@@ -4,6 +4,7 @@
 #ifndef PELAGE_COMPOSITE_ORDER_WEIGHTED_GLSL
 #define PELAGE_COMPOSITE_ORDER_WEIGHTED_GLSL
 
+#include "optical_depth.glsl"
 #include "../core/math.glsl"
 
 /// Blending by an estimated order, without sorting: a fragment weighs (1 - α)ᵒ α, with o the number of fragments before
@@ -22,9 +23,9 @@ precise float pelage_order_weight(float alpha, float order) {
 }
 
 /// The weight of a fragment behind an estimated optical depth, [0, 1]: for maps that sum pelage_optical_depth(alpha),
-/// and so know of fragments whose alphas differ. `optical`: units of 2⁻²⁰ octaves, [0, 2³²].
+/// and so know of fragments whose alphas differ. `optical`: as for pelage_transmittance_of().
 precise float pelage_optical_weight(float alpha, float optical) {
-  return pelage_saturate(alpha) * pelage_fast_exp2(-optical * (1.0 / 1048576.0));
+  return pelage_saturate(alpha) * pelage_transmittance_of(optical);
 }
 
 #endif

@@ -68,9 +68,9 @@ const uint pelage_occupancy_map_slab_slices =
 ///
 /// Keeps which slices hold anything and what each slab holds; drops how much lies in each slice of a slab. Depends on
 /// the set of fragments alone, bit for bit. Sums count fragments, or whatever `amount` the caller gives, such as
-/// pelage_optical_depth(alpha); they stop at 2³² - 1. Slices / 8 + 4 · Slabs bytes: 32 at 128 slices and 4 slabs, 40
-/// with the pelage_depth_range. An opaque object's limit cuts fragments before they come here; what lies behind the
-/// range is shadowed by all slabs.
+/// pelage_optical_depth(alpha), which pelage_transmittance_of() reads back; they stop at 2³² - 1. Slices / 8 + 4 ·
+/// Slabs bytes: 32 at 128 slices and 4 slabs, 40 with the pelage_depth_range. An opaque object's limit cuts fragments
+/// before they come here; what lies behind the range is shadowed by all slabs.
 struct pelage_occupancy_map {
   uint occupied[pelage_occupancy_map_words];  ///< slice i is bit i % 32 of word i / 32
   uint amount[PELAGE_OCCUPANCY_MAP_SLABS];    ///< the sum of each slab

@@ -38,7 +38,8 @@ uint[PELAGE_OPACITY_MAP_LAYERS] PELAGE_OPACITY_MAP_LAYERS_has_one_value_in_a_sha
 ///
 /// Keeps what each layer holds, what lies beyond the last in the last; drops where in its layer a fragment lies.
 /// Depends on the set of fragments alone, bit for bit. Sums count fragments, or whatever `added` the caller gives,
-/// such as pelage_optical_depth(alpha); they stop at 2³² - 1. 4 · Layers bytes, 8 more with the pelage_depth_range.
+/// such as pelage_optical_depth(alpha), which pelage_transmittance_of() reads back; they stop at 2³² - 1. 4 · Layers
+/// bytes, 8 more with the pelage_depth_range.
 struct pelage_opacity_map {
   uint amount[PELAGE_OPACITY_MAP_LAYERS];  ///< of each layer; after pelage_opacity_map_accumulate() of it and all
                                            ///< before it
