@@ -157,6 +157,46 @@ TEST_CASE("weights that are none count as none") {
   }
 }
 
+TEST_CASE("no brightness changes the hue of a weighted sum") {
+  tail sum = empty_tail();
+  for (int i = 0; i < 16; ++i) {
+    sum = add_weighted(sum, 0.3f, 0.3f, glm::vec3(1e4f, 5e3f, 1.25e3f));
+  }
+  const glm::vec3 seen = resolve(sum, glm::vec3(0.0f));
+  CHECK(glm::length(seen / seen.x - glm::vec3(1.0f, 0.5f, 0.125f)) < 1e-5f);
+}
+
+TEST_CASE("weights by distance keep a pixel's colour wherever in the scene's range it lies") {
+  holds("weighted mean in double", [] {
+    const float halvings = 8.0f * draw_share();
+    const float place = draw_share();
+    const float least_alpha = *rc::gen::element(0.01f, 0.05f, 0.5f);
+    tail sum = empty_tail();
+    glm::dvec3 colour(0.0);
+    double weight = 0.0;
+    for (const layer& each : draw_layers()) {
+      const float alpha = std::max(each.alpha, least_alpha);
+      const float z = std::min(place + 0.02f * draw_share(), 1.0f);
+      sum = add_weighted(sum, alpha, distance_weight(alpha, z, halvings), each.colour);
+      const double expected = double{alpha} * std::exp2(double{-halvings} * z);
+      colour += expected * glm::dvec3(each.colour);
+      weight += expected;
+    }
+    RC_PRE(weight > 0.0);
+    RC_ASSERT(distance(mean_colour(sum), colour / weight) <=
+              std::sqrt(3.0) * std::exp2(halvings - 20.0) / least_alpha + 2e-6);
+  });
+}
+
+TEST_CASE("weights by distance fall from alpha, by half as often as told") {
+  CHECK(distance_weight(0.5f, 0.0f, 6.0f) == 0.5f);
+  CHECK(distance_weight(0.5f, 0.5f, 6.0f) == 0.0625f);
+  CHECK(distance_weight(2.0f, 9.0f, 6.0f) == 0.015625f);
+  CHECK(distance_weight(0.5f, nan, 6.0f) == 0.5f);
+  CHECK(distance_weight(0.5f, 0.7f, 0.0f) == 0.5f);
+  CHECK(distance_weight(nan, 0.5f, 6.0f) == 0.0f);
+}
+
 TEST_CASE("weighted average is sorted blending where all fragments are the same") {
   holds("any number", [] {
     const auto count = *rc::gen::inRange<std::size_t>(0u, 60u);

@@ -16,8 +16,12 @@ namespace pelage::inline PELAGE_ABI {
 /// alpha-weighted mean colour; drops the order among the tail's own fragments. 20 bytes.
 ///
 /// Sums of alpha and alpha · colour are in units of 2⁻²⁰, range [0, 4096), rounded by at most 2⁻²¹ a fragment (a
-/// product above 8 by the float's own last bit); each saturates by itself, which needs 4096 opaque white fragments in
-/// one pixel.
+/// product above 8 by the float's own last bit); each saturates by itself, and then the hue is lost.
+///
+/// So colours are in units of the scene's white. Where that is not 1, as with physical units of light, divide every
+/// colour by it, and multiply by it what mean_colour() or resolve() gives. A colour of more than 64 whites is scaled
+/// down as a whole (clamp_keeping_hue), so that no sum ends while Σ alpha is below 63, whatever the colours, nor below
+/// 4095 where none is brighter than white.
 struct tail {
   std::uint32_t optical;  ///< Σ optical_depth(alpha)
   std::uint32_t weight;   ///< Σ alpha
@@ -31,8 +35,14 @@ struct tail {
   return tail{0u, 0u, 0u, 0u, 0u};
 }
 
-/// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB,
-/// [0, inf]; alpha · colour is clamped to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
+/// A colour scaled down as a whole, which keeps its hue, until no channel is above 64 (by more than 1e-5 of it); the
+/// same bits where none is. Infinite channels count as the greatest float; NaN and negative ones stay what they are.
+template <single_precision Real>
+[[nodiscard, gnu::always_inline]] inline glm::vec<3, Real> clamp_keeping_hue(const glm::vec<3, Real>& colour) noexcept;
+
+/// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB over the
+/// scene's white, [0, inf], brought to [0, 64] by clamp_keeping_hue(). NaN counts as 0. Any order of calls gives the
+/// same tail.
 [[nodiscard]] inline tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept;
 
 /// Both tails in one. Associative and commutative, empty_tail() is the identity.
@@ -52,10 +62,25 @@ struct tail {
 
 // ---------------------------------------------------------------------------------------------------------
 
+template <single_precision Real>
+glm::vec<3, Real> clamp_keeping_hue(const glm::vec<3, Real>& colour) noexcept {
+  Real most = select(colour.x > Real(64.0f), colour.x, Real(64.0f));
+  most = select(colour.y > most, colour.y, most);
+  most = select(colour.z > most, colour.z, most);
+  if (!holds_for_any(most > Real(64.0f))) {
+    return colour;
+  }
+  const Real largest = Real(3.40282347e38f);
+  const Real scale = select(most > Real(64.0f), fast_exp2(Real(6.0f) - fast_log2(most)), Real(1.0f));
+  return glm::vec<3, Real>(select(colour.x > largest, largest, colour.x) * scale,
+                           select(colour.y > largest, largest, colour.y) * scale,
+                           select(colour.z > largest, largest, colour.z) * scale);
+}
+
 inline tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept {
   const float held = saturate(alpha);
-  const tail one = tail{optical_depth(held), to_fixed(held), to_fixed(held * colour.x), to_fixed(held * colour.y),
-                        to_fixed(held * colour.z)};
+  const glm::vec3 share = held * clamp_keeping_hue(colour);
+  const tail one = tail{optical_depth(held), to_fixed(held), to_fixed(share.x), to_fixed(share.y), to_fixed(share.z)};
   return merge(t, one);
 }
 

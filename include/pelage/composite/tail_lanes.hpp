@@ -24,10 +24,11 @@ template <int W>
   static_assert(offsetof(tail, blue) == 4 * sizeof(std::uint32_t) && sizeof(tail) == 5 * sizeof(std::uint32_t));
   using floats = lanes<W>;
   const floats held = saturate(alpha);
+  const lane_vector<W> kept = clamp_keeping_hue(colour);
   alignas(64) float words[4 * W];
   store_quads(bits_as<floats>(optical_depth(held)), bits_as<floats>(to_fixed(held)),
-              bits_as<floats>(to_fixed(held * colour.x)), bits_as<floats>(to_fixed(held * colour.y)), words);
-  const lanes<W, std::uint32_t> blue = to_fixed(held * colour.z);
+              bits_as<floats>(to_fixed(held * kept.x)), bits_as<floats>(to_fixed(held * kept.y)), words);
+  const lanes<W, std::uint32_t> blue = to_fixed(held * kept.z);
   for (std::uint32_t left = set; left != 0u; left &= left - 1u) {
     const auto k = static_cast<std::size_t>(std::countr_zero(left));
     tail& t = behind[tail_of[k]];

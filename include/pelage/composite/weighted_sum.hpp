@@ -14,12 +14,13 @@ namespace pelage::inline PELAGE_ABI {
 /// end stand before the background as one layer. Its transmittance stays the exact product. Integer sums: any order of
 /// fragments gives the same bits. Many threads fill a pixel at once through atomic_tail.
 
-/// The tail with one more fragment of a weight of its own. `weight`: [0, 1] so that the sums reach 4096 fragments,
-/// alpha included, to the nearest 2⁻²⁰; NaN counts as 0. `colour`: linear RGB, [0, inf]. `alpha`: clamped to [0, 1].
+/// The tail with one more fragment of a weight of its own. `weight`: alpha included, to the nearest 2⁻²⁰, [0, 1] so
+/// that the sums reach 4096 fragments; NaN counts as 0. `alpha` and `colour` as for add_fragment() of a tail, with Σ
+/// weight in the place of Σ alpha.
 [[nodiscard]] inline tail add_weighted(const tail& t, float alpha, float weight, const glm::vec3& colour) noexcept {
   const float held = weight > 0.0f ? weight : 0.0f;
-  const tail one = tail{optical_depth(alpha), to_fixed(held), to_fixed(held * colour.x), to_fixed(held * colour.y),
-                        to_fixed(held * colour.z)};
+  const glm::vec3 share = held * clamp_keeping_hue(colour);
+  const tail one = tail{optical_depth(alpha), to_fixed(held), to_fixed(share.x), to_fixed(share.y), to_fixed(share.z)};
   return merge(t, one);
 }
 

@@ -6,14 +6,19 @@
 
 #include "optical_depth.glsl"
 #include "../core/math.glsl"
+#include "../core/real_number.glsl"
 
 /// What lies behind the K nearest fragments of a pixel, as one layer that does not depend on the order of arrival:
 /// integers only, so that every interleaving gives the same bits. Keeps the exact product of transmittances and the
 /// alpha-weighted mean colour; drops the order among the tail's own fragments. 20 bytes.
 ///
 /// Sums of alpha and alpha · colour are in units of 2⁻²⁰, range [0, 4096), rounded by at most 2⁻²¹ a fragment (a
-/// product above 8 by the float's own last bit); each saturates by itself, which needs 4096 opaque white fragments in
-/// one pixel.
+/// product above 8 by the float's own last bit); each saturates by itself, and then the hue is lost.
+///
+/// So colours are in units of the scene's white. Where that is not 1, as with physical units of light, divide every
+/// colour by it, and multiply by it what pelage_mean_colour() or pelage_resolve() gives. A colour of more than 64
+/// whites is scaled down as a whole (pelage_clamp_keeping_hue), so that no sum ends while Σ alpha is below 63, whatever
+/// the colours, nor below 4095 where none is brighter than white.
 struct pelage_tail {
   uint optical;  ///< Σ pelage_optical_depth(alpha)
   uint weight;   ///< Σ alpha
@@ -27,8 +32,13 @@ pelage_tail pelage_empty_tail() {
   return pelage_tail(0u, 0u, 0u, 0u, 0u);
 }
 
-/// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB,
-/// [0, inf]; alpha · colour is clamped to [0, 4096). NaN counts as 0. Any order of calls gives the same tail.
+/// A colour scaled down as a whole, which keeps its hue, until no channel is above 64 (by more than 1e-5 of it); the
+/// same bits where none is. Infinite channels count as the greatest float; NaN and negative ones stay what they are.
+precise vec3 pelage_clamp_keeping_hue(vec3 colour);
+
+/// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB over the
+/// scene's white, [0, inf], brought to [0, 64] by pelage_clamp_keeping_hue(). NaN counts as 0. Any order of calls gives
+/// the same tail.
 precise pelage_tail pelage_add_fragment(pelage_tail t, float alpha, vec3 colour);
 
 /// Both tails in one. Associative and commutative, pelage_empty_tail() is the identity.
@@ -49,11 +59,25 @@ precise vec3 pelage_mean_colour(pelage_tail t);
 
 // ---------------------------------------------------------------------------------------------------------
 
+precise vec3 pelage_clamp_keeping_hue(vec3 colour) {
+  float most = pelage_select(colour.x > 64.0, colour.x, 64.0);
+  most = pelage_select(colour.y > most, colour.y, most);
+  most = pelage_select(colour.z > most, colour.z, most);
+  if (!pelage_holds_for_any(most > 64.0)) {
+    return colour;
+  }
+  const float largest = 3.40282347e38;
+  const float scale = pelage_select(most > 64.0, pelage_fast_exp2(6.0 - pelage_fast_log2(most)), 1.0);
+  return vec3(pelage_select(colour.x > largest, largest, colour.x) * scale,
+              pelage_select(colour.y > largest, largest, colour.y) * scale,
+              pelage_select(colour.z > largest, largest, colour.z) * scale);
+}
+
 precise pelage_tail pelage_add_fragment(pelage_tail t, float alpha, vec3 colour) {
   const float held = pelage_saturate(alpha);
-  const pelage_tail one =
-      pelage_tail(pelage_optical_depth(held), pelage_to_fixed(held), pelage_to_fixed(held * colour.x),
-                  pelage_to_fixed(held * colour.y), pelage_to_fixed(held * colour.z));
+  const vec3 share = held * pelage_clamp_keeping_hue(colour);
+  const pelage_tail one = pelage_tail(pelage_optical_depth(held), pelage_to_fixed(held), pelage_to_fixed(share.x),
+                                      pelage_to_fixed(share.y), pelage_to_fixed(share.z));
   return pelage_merge(t, one);
 }
 

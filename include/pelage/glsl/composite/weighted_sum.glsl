@@ -11,13 +11,14 @@
 /// end stand before the background as one layer. Its transmittance stays the exact product. Integer sums: any order of
 /// fragments gives the same bits. Many threads fill a pixel at once through atomic_tail.
 
-/// The tail with one more fragment of a weight of its own. `weight`: [0, 1] so that the sums reach 4096 fragments,
-/// alpha included, to the nearest 2⁻²⁰; NaN counts as 0. `colour`: linear RGB, [0, inf]. `alpha`: clamped to [0, 1].
+/// The tail with one more fragment of a weight of its own. `weight`: alpha included, to the nearest 2⁻²⁰, [0, 1] so
+/// that the sums reach 4096 fragments; NaN counts as 0. `alpha` and `colour` as for pelage_add_fragment() of a tail,
+/// with Σ weight in the place of Σ alpha.
 precise pelage_tail pelage_add_weighted(pelage_tail t, float alpha, float weight, vec3 colour) {
   const float held = weight > 0.0 ? weight : 0.0;
-  const pelage_tail one =
-      pelage_tail(pelage_optical_depth(alpha), pelage_to_fixed(held), pelage_to_fixed(held * colour.x),
-                  pelage_to_fixed(held * colour.y), pelage_to_fixed(held * colour.z));
+  const vec3 share = held * pelage_clamp_keeping_hue(colour);
+  const pelage_tail one = pelage_tail(pelage_optical_depth(alpha), pelage_to_fixed(held), pelage_to_fixed(share.x),
+                                      pelage_to_fixed(share.y), pelage_to_fixed(share.z));
   return pelage_merge(t, one);
 }
 
