@@ -114,6 +114,8 @@ template rotation<float> turned_back(const rotation<float>&, const rotation<floa
 
 // coverage
 template closest_pair<float> closest_points(const vec3&, const vec3&, const vec3&, const vec3&) noexcept;
+template float offset_across(const vec3&, const vec3&, const vec3&, const vec3&, const closest_pair<float>&,
+                             float) noexcept;
 template float disc_strip_share(float, float, float) noexcept;
 template float cap_share(float) noexcept;
 template float owned_by_segment(const strand_joint<float>&, const strand_joint<float>&, const glm::vec2&) noexcept;

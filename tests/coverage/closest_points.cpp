@@ -97,6 +97,92 @@ TEST_CASE("no two points of ray and segment are closer, by search, within 8 ulp 
   holds("in double", check_that_none_is_closer<double>);
 }
 
+/// Directions, and ends' distances from the origin, of 2^low to 2^high.
+template <class Real>
+void check_at_the_ends(int low, int high) {
+  ray_and_segment<double> in = any_ray_and_segment<double>();
+  const double nearest = std::min(glm::length(in.start - in.origin), glm::length(in.end - in.origin));
+  const double farthest = std::max(glm::length(in.start - in.origin), glm::length(in.end - in.origin));
+  RC_PRE(nearest > 0.0);
+  const double scale = *rc::gen::element(std::exp2(low) / nearest, std::exp2(high) / farthest);
+  using vector = glm::vec<3, Real>;
+  const glm::dvec3 unit = in.direction / glm::length(in.direction);
+  const ray_and_segment<Real> scaled{vector(0.0), vector(unit * std::exp2(*rc::gen::element(low, high))),
+                                     vector((in.start - in.origin) * scale), vector((in.end - in.origin) * scale)};
+  const long double tolerance = 8 * std::numeric_limits<Real>::epsilon() * scaled.size();
+  const closest_pair<Real> pair = closest_of(scaled);
+  RC_ASSERT(std::abs(pair.distance - searched_distance(scaled)) <= tolerance);
+  RC_ASSERT(std::abs(pair.distance - distance_named(scaled, pair)) <= tolerance);
+}
+
+TEST_CASE("the same at both ends of the range of lengths") {
+  holds("in float", [] { check_at_the_ends<float>(-20, 30); });
+  holds("in double", [] { check_at_the_ends<double>(-150, 250); });
+}
+
+/// h as the ray's first hit of the fibre's cylinder has it: the sine of the angle between the normal there and the eye,
+/// seen along the fibre. NaN where the ray misses.
+double traced_offset(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& start,
+                     const glm::dvec3& end, double radius) {
+  const glm::dvec3 x = glm::normalize(end - start);
+  const glm::dvec3 eye = -glm::normalize(direction);
+  const glm::dvec3 y = glm::normalize(glm::cross(eye, x));
+  const auto across = [&](const glm::dvec3& v) { return v - glm::dot(v, x) * x; };
+  const glm::dvec3 from = across(origin - start);
+  const glm::dvec3 step = across(direction);
+  const double a = glm::dot(step, step);
+  const double b = glm::dot(from, step);
+  const double inside = b * b - a * (glm::dot(from, from) - radius * radius);
+  return inside < 0.0 ? std::nan("") : glm::dot((from + (-b - std::sqrt(inside)) / a * step) / radius, y);
+}
+
+template <class Real>
+void check_offset() {
+  const glm::dvec3 start = any_vector();
+  const glm::dvec3 end = start + any_vector();
+  RC_PRE(glm::length(end - start) > 1e-2);
+  const double radius = std::pow(10.0, *rc::gen::inRange(-3, 0));
+  const glm::dvec3 through = glm::mix(start, end, 0.5) + 1.2 * radius * any_vector();
+  const glm::dvec3 origin = through + 4.0 * any_vector();
+  RC_PRE(glm::length(origin - through) > 2.5);
+  using vector = glm::vec<3, Real>;
+  const ray_and_segment<Real> in{vector(origin), vector((through - origin) * std::exp2(*rc::gen::inRange(-9, 9))),
+                                 vector(start), vector(end)};
+  RC_PRE(glm::length(glm::cross(glm::dvec3(in.end - in.start), glm::dvec3(in.direction))) >
+         0.5 * glm::length(in.end - in.start) * glm::length(in.direction));
+  const Real h = offset_across(in.origin, in.direction, in.start, in.end, closest_of(in), Real(radius));
+  const double expected = traced_offset(in.origin, in.direction, in.start, in.end, double{Real(radius)});
+  const double tolerance = 16.0 * double{std::numeric_limits<Real>::epsilon()} * double(in.size()) / radius;
+  if (std::isnan(expected)) {
+    RC_ASSERT(std::abs(std::abs(h) - 1.0) <= tolerance);
+  } else {
+    RC_ASSERT(std::abs(h - expected) <= tolerance + 1e-13 / radius);
+  }
+}
+
+TEST_CASE("the offset across a fibre is that of the ray's hit on its cylinder, 1 or -1 where it misses") {
+  holds("in float", check_offset<float>);
+  holds("in double", check_offset<double>);
+}
+
+TEST_CASE("from +z, with the fibre along x, a ray on the side of +y has a positive offset") {
+  const glm::vec3 start(-1.0f, 0.0f, 0.0f);
+  const glm::vec3 end(1.0f, 0.0f, 0.0f);
+  const auto offset_at = [&](float y, const glm::vec3& to, const glm::vec3& direction) {
+    const glm::vec3 origin = glm::vec3(0.0f, y, 0.0f) - 4.0f * direction;
+    return offset_across(origin, direction, start, to, closest_points(origin, direction, start, to), 0.5f);
+  };
+  const glm::vec3 ahead(0.0f, 0.0f, -1.0f);
+  CHECK(offset_at(0.25f, end, ahead) == 0.5f);
+  CHECK(offset_at(-0.25f, end, ahead) == -0.5f);
+  CHECK(offset_at(0.0f, end, ahead) == 0.0f);
+  CHECK(offset_at(3.0f, end, ahead) == 1.0f);
+  CHECK(offset_at(-3.0f, end, ahead) == -1.0f);
+  CHECK(offset_at(0.25f, start, ahead) == 0.0f);
+  CHECK(offset_at(0.25f, end, glm::vec3(1.0f, 0.0f, 0.0f)) == 0.0f);
+  CHECK(offset_at(std::numeric_limits<float>::quiet_NaN(), end, ahead) == 0.0f);
+}
+
 TEST_CASE("a longer direction only rescales the depth") {
   holds("bit for bit, by powers of two", [] {
     ray_and_segment<float> in = any_ray_and_segment<float>();

@@ -25,12 +25,26 @@ struct closest_pair {
 /// Ties: of a segment parallel to the ray, the point nearest to the ray's origin. A segment of length 0 is a point.
 /// Points behind the origin are clamped to it. NaN in gives a NaN depth and distance; `along_segment` stays in [0, 1].
 /// The distance is right within 8 ulp of the two ends' distances from the origin, added up; the depth is as
-/// ill-conditioned as the angle between ray and segment is small.
+/// ill-conditioned as the angle between ray and segment is small. In float for directions of a length in [2⁻²⁰, 2³⁰]
+/// and ends that lie [2⁻²⁰, 2³⁰] from the origin, in double [2⁻¹⁵⁰, 2²⁵⁰] for both; beyond, squares under- or overflow.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline closest_pair<Real> closest_points(const glm::vec<3, Real>& origin,
                                                                            const glm::vec<3, Real>& direction,
                                                                            const glm::vec<3, Real>& start,
                                                                            const glm::vec<3, Real>& end) noexcept;
+
+/// Where across its width a ray meets a fibre: the h of bsdf/, [-1, 1], 0 on the axis. The fibre runs from `start` to
+/// `end`, its tip; h is positive on the side of eye × x, with the eye at -direction and x along the fibre: seen from
+/// +z, on the side of +y. `pair`: closest_points() of the same four. `radius`: (0, inf), in the same unit. Clamped:
+/// beyond the fibre's edge, which a pixel's disc may cover from outside, -1 or 1. 0 for a ray along the fibre and a
+/// segment of length 0; NaN gives 0. Right within the error of pair.distance over the radius. Directions and ends as
+/// there.
+template <real_number Real>
+[[nodiscard, gnu::always_inline]] inline Real offset_across(const glm::vec<3, Real>& origin,
+                                                            const glm::vec<3, Real>& direction,
+                                                            const glm::vec<3, Real>& start,
+                                                            const glm::vec<3, Real>& end,
+                                                            const closest_pair<Real>& pair, Real radius) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -57,6 +71,16 @@ closest_pair<Real> closest_points(const glm::vec<3, Real>& origin, const glm::ve
   }
   const glm::vec<3, Real> gap = offset + s * axis - t * direction;
   return closest_pair<Real>{t, s, vector_length(gap)};
+}
+
+template <real_number Real>
+Real offset_across(const glm::vec<3, Real>& origin, const glm::vec<3, Real>& direction, const glm::vec<3, Real>& start,
+                   const glm::vec<3, Real>& end, const closest_pair<Real>& pair, Real radius) noexcept {
+  const glm::vec<3, Real> axis = end - start;
+  const glm::vec<3, Real> side = cross_product(axis, direction);
+  const glm::vec<3, Real> gap = (origin - start) + pair.along_ray * direction - pair.along_segment * axis;
+  const Real h = dot_product(gap, side) / (vector_length(side) * radius);
+  return select(h > Real(-1), select(h < Real(1), h, Real(1)), select(h < Real(0), Real(-1), Real(0)));
 }
 
 }  // namespace pelage

@@ -22,8 +22,18 @@ struct pelage_closest_pair {
 /// Ties: of a segment parallel to the ray, the point nearest to the ray's origin. A segment of length 0 is a point.
 /// Points behind the origin are clamped to it. NaN in gives a NaN depth and distance; `along_segment` stays in [0, 1].
 /// The distance is right within 8 ulp of the two ends' distances from the origin, added up; the depth is as
-/// ill-conditioned as the angle between ray and segment is small.
+/// ill-conditioned as the angle between ray and segment is small. In float for directions of a length in [2⁻²⁰, 2³⁰]
+/// and ends that lie [2⁻²⁰, 2³⁰] from the origin, in double [2⁻¹⁵⁰, 2²⁵⁰] for both; beyond, squares under- or overflow.
 precise pelage_closest_pair pelage_closest_points(vec3 origin, vec3 direction, vec3 start, vec3 end);
+
+/// Where across its width a ray meets a fibre: the h of bsdf/, [-1, 1], 0 on the axis. The fibre runs from `start` to
+/// `end`, its tip; h is positive on the side of eye × x, with the eye at -direction and x along the fibre: seen from
+/// +z, on the side of +y. `pair`: pelage_closest_points() of the same four. `radius`: (0, inf), in the same unit.
+/// Clamped: beyond the fibre's edge, which a pixel's disc may cover from outside, -1 or 1. 0 for a ray along the fibre
+/// and a segment of length 0; NaN gives 0. Right within the error of pair.distance over the radius. Directions and ends
+/// as there.
+precise float pelage_offset_across(vec3 origin, vec3 direction, vec3 start, vec3 end, pelage_closest_pair pair,
+                                   float radius);
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -49,6 +59,15 @@ precise pelage_closest_pair pelage_closest_points(vec3 origin, vec3 direction, v
   }
   const vec3 gap = offset + s * axis - t * direction;
   return pelage_closest_pair(t, s, pelage_vector_length(gap));
+}
+
+precise float pelage_offset_across(vec3 origin, vec3 direction, vec3 start, vec3 end, pelage_closest_pair pair,
+                                   float radius) {
+  const vec3 axis = end - start;
+  const vec3 side = pelage_cross_product(axis, direction);
+  const vec3 gap = (origin - start) + pair.along_ray * direction - pair.along_segment * axis;
+  const float h = pelage_dot_product(gap, side) / (pelage_vector_length(side) * radius);
+  return pelage_select(h > -1.0, pelage_select(h < 1.0, h, 1.0), pelage_select(h < 0.0, -1.0, 0.0));
 }
 
 #endif
