@@ -47,7 +47,7 @@ glm::vec3 by_nearest(const pixel& p, std::size_t k) {
       behind = add_fragment(behind, l.alpha, l.radiance);
     }
   }
-  sum = add_fibre(sum, mean_colour(behind), glm::vec3(transmittance_of(behind)), 1.0F);
+  sum = add_tail(sum, behind);
   return resolve(sum, background);
 }
 

@@ -64,13 +64,32 @@ TEST_CASE("fibres added front to back give the sum of Yu12 Eq. 5") {
   });
 }
 
+TEST_CASE("a tail stands behind the fibres as one layer of its mean colour, before the background") {
+  holds("sum in double", [] {
+    const pixel_radiance<float> pixel = gathered(draw_fibres());
+    tail behind = empty_tail();
+    for (const layer& each : draw_layers(0.9f)) {
+      behind = add_fragment(behind, each.alpha, each.colour);
+    }
+    const glm::vec3 background = draw_colour();
+    const double passed = transmittance_of(behind);
+    const glm::dvec3 layer = (1.0 - passed) * glm::dvec3(mean_colour(behind)) + passed * glm::dvec3(background);
+    const glm::dvec3 expected = glm::dvec3(pixel.radiance) + glm::dvec3(pixel.transmittance) * layer;
+    RC_ASSERT(glm::length(glm::dvec3(resolve(add_tail(pixel, behind), background)) - expected) < 1e-6);
+  });
+}
+
 TEST_CASE("in a white furnace the pixel is white") {
   holds("whatever lies in it", [] {
     std::vector<lit_fibre> fibres = draw_fibres();
     for (lit_fibre& each : fibres) {
       each.scattered = glm::vec3(1.0f);
     }
-    RC_ASSERT(glm::length(resolve(gathered(fibres), glm::vec3(1.0f)) - glm::vec3(1.0f)) < 2e-6f);
+    const tail behind = add_fragment(empty_tail(), draw_share(), glm::vec3(1.0f));
+    const pixel_radiance<float> pixel = gathered(fibres);
+    RC_ASSERT(glm::length(resolve(pixel, glm::vec3(1.0f)) - glm::vec3(1.0f)) < 2e-6f);
+    RC_PRE(behind.weight > 0u || transmittance_of(behind) == 1.0f);
+    RC_ASSERT(glm::length(resolve(add_tail(pixel, behind), glm::vec3(1.0f)) - glm::vec3(1.0f)) < 2e-6f);
   });
 }
 

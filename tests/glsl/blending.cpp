@@ -70,6 +70,7 @@ void blending_row(row in, results& out) {
   out.put(order_weight(share, order));
   out.put(optical_weight(share, order));
   out.put(depth_weight(share, order));
+  out.put(distance_weight(share, 0.05F * order, 6.0F));
   const float end = in.f(3 * fragments + 6);
   const std::uint32_t pieces = slice_sort::piece_count(order, end, 20U);
   out.put(slice_sort::slice_of(order, end, 20U));
@@ -111,6 +112,7 @@ TEST_CASE("Blending without sorting has the same sums on every device, its colou
                                  {"order_weight", 1, 0, 0},
                                  {"optical_weight", 1, 0, 0},
                                  {"depth_weight", 1, 0, 0},
+                                 {"distance_weight", 1, 0, 0},
                                  {"slice_of, piece_count", 2, bits(), bits()}});
   for (std::size_t i = 0; i < 5; ++i) {
     columns.push_back({"piece_at slice", 1, bits(), bits()});

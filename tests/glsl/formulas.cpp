@@ -90,6 +90,7 @@ TEST_CASE("Coverage agrees within the stated ulps") {
               out.put(pair.along_ray);
               out.put(pair.along_segment);
               out.put(pair.distance);
+              out.put(offset_across(in.v3(0), in.v3(3), in.v3(6), in.v3(9), pair, 4.0F));
               const glm::vec2 extent(in.f(6), in.f(7));
               out.put(cap_share(in.f(14)));
               out.put(disc_strip_share(in.f(14), in.f(12), in.f(13)));
@@ -118,6 +119,7 @@ TEST_CASE("Coverage agrees within the stated ulps") {
             {{"closest_points along_ray", 1, 0, 80, 1.0F},
              {"closest_points along_segment", 1, 0, 80, 1.0F},
              {"closest_points distance", 1, 0, 64, 4.0F},
+             {"offset_across", 1, 0, 64, 1.0F},
              {"cap_share", 1, 0, 8},
              {"disc_strip_share", 1, 0, 64, 0.1F},
              {"diagonal_ratio", 1, 0, 4},
@@ -171,6 +173,9 @@ TEST_CASE("Tails have the same bits on every device, blending differs by the sta
               pixel = add_fibre(pixel, glm::vec3(back), colour, in.f(7));
               out.put(pixel.transmittance);
               out.put(resolve(pixel, colour));
+              out.put(resolve(add_tail(pixel, t), colour));
+              out.put(transmittance_of(in.f(8)));
+              out.put(clamp_keeping_hue(glm::vec3(200.0F, 1.0F, in.f(9)) * colour));
             },
             {{"transmittance", 3, 0, 0},
              {"transmittance, grey", 1, 0, 0},
@@ -184,7 +189,10 @@ TEST_CASE("Tails have the same bits on every device, blending differs by the sta
              {"transmittance_of a tail", 1, 0, 0},
              {"mean_colour", 3, 0, 3},
              {"add_fibre", 3, 0, 0},
-             {"resolve", 3, 0, 0}});
+             {"resolve", 3, 0, 0},
+             {"add_tail", 3, 0, 4},
+             {"transmittance_of a float", 1, 0, 0},
+             {"clamp_keeping_hue", 3, 0, 0}});
   });
 }
 

@@ -51,7 +51,7 @@ void camera_film::finish(int x, int y, std::span<const pixel_fragment> nearest, 
   for (const pixel_fragment& f : nearest) {
     pixel = add_fibre(pixel, shades_.at(f.id, f.along), glm::vec3(1.0F - opacity(f)), visible_coverage(index(x, y), f));
   }
-  pixel = add_fibre(pixel, mean_colour(behind), glm::vec3(transmittance_of(behind)), 1.0F);
+  pixel = add_tail(pixel, behind);
   picture_.at(x, y) = resolve(pixel, behind_fibres(x, y));
 }
 

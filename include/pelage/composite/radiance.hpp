@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/composite/tail.hpp>
 #include <pelage/composite/transmittance.hpp>
 #include <pelage/core/exact_begin.hpp>
 
@@ -31,6 +32,12 @@ template <std::floating_point Real>
 [[nodiscard]] constexpr pixel_radiance<Real> add_fibre(const pixel_radiance<Real>& pixel,
                                                        const glm::vec<3, Real>& scattered,
                                                        const glm::vec<3, Real>& attenuation, Real coverage) noexcept;
+
+/// The pixel with a tail behind its fibres: one more layer, of the tail's mean colour and transmittance, that covers
+/// the whole pixel. Where the tail's colours are over a white, so are the pixel's.
+[[nodiscard]] inline pixel_radiance<float> add_tail(const pixel_radiance<float>& pixel, const tail& behind) noexcept {
+  return add_fibre(pixel, mean_colour(behind), glm::vec3(transmittance_of(behind)), 1.0f);
+}
 
 /// What is seen of the pixel in front of a background, linear RGB.
 template <std::floating_point Real>

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define FRAGMENTS 8u
 #define STRIDE (3u * FRAGMENTS + 7u)
-#define RESULTS 83u
+#define RESULTS 84u
 #include "table.glsl"
 
 #define PELAGE_ATOMIC_CELLS_WORDS(i) results[i]
@@ -81,6 +81,7 @@ void main() {
   give(pelage_order_weight(share, order));
   give(pelage_optical_weight(share, order));
   give(pelage_depth_weight(share, order));
+  give(pelage_distance_weight(share, 0.05 * order, 6.0));
   const float end = f(3u * FRAGMENTS + 6u);
   give(pelage_slice_sort_slice_of(order, end, 20u));
   give(pelage_slice_sort_piece_count(order, end, 20u));

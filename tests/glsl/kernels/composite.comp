@@ -3,7 +3,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define STRIDE 12u
-#define RESULTS 31u
+#define RESULTS 38u
 #include "table.glsl"
 
 #include "pelage/glsl/composite/optical_depth.glsl"
@@ -41,4 +41,7 @@ void main() {
   pixel = pelage_add_fibre(pixel, back.xyz, colour, f(7u));
   put(25u, pixel.transmittance);
   put(28u, pelage_resolve(pixel, colour));
+  put(31u, pelage_resolve(pelage_add_tail(pixel, tail), colour));
+  put(34u, pelage_transmittance_of(f(8u)));
+  put(35u, pelage_clamp_keeping_hue(vec3(200.0, 1.0, f(9u)) * colour));
 }

@@ -3,7 +3,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define STRIDE 16u
-#define RESULTS 32u
+#define RESULTS 33u
 #include "table.glsl"
 
 #include "pelage/glsl/core/vector_math.glsl"
@@ -24,31 +24,32 @@ void main() {
   put(0u, pair.along_ray);
   put(1u, pair.along_segment);
   put(2u, pair.distance);
+  put(3u, pelage_offset_across(origin, direction, start, end, pair, 4.0));
   const float radius = f(12u);
   const float disc = f(13u);
-  put(3u, pelage_cap_share(f(14u)));
-  put(4u, pelage_disc_strip_share(f(14u), radius, disc));
-  put(5u, pelage_diagonal_ratio(start.xy));
-  put(6u, pelage_line_width_share(start.xy, radius, disc));
+  put(4u, pelage_cap_share(f(14u)));
+  put(5u, pelage_disc_strip_share(f(14u), radius, disc));
+  put(6u, pelage_diagonal_ratio(start.xy));
+  put(7u, pelage_line_width_share(start.xy, radius, disc));
   const pelage_ray_cone cone = pelage_perspective_cone(f(15u), 1080);
   const pelage_ray_cone cylinder = pelage_orthographic_cone(f(15u), 512);
-  put(7u, cone.slope);
-  put(8u, cylinder.base);
-  put(9u, pelage_radius_at(cone, f(14u)));
-  put(10u, pelage_reach_at(f(14u), radius, cone, 2.0));
-  put(11u, pelage_any_normal(pelage_unit_vector(direction)));
+  put(8u, cone.slope);
+  put(9u, cylinder.base);
+  put(10u, pelage_radius_at(cone, f(14u)));
+  put(11u, pelage_reach_at(f(14u), radius, cone, 2.0));
+  put(12u, pelage_any_normal(pelage_unit_vector(direction)));
   const pelage_segment_quad quad = pelage_expand_segment(start, end, radius, cone, 0.1, 2.0);
-  put(14u, quad.visible);
-  put(15u, quad.corner[0]);
-  put(18u, quad.corner[1]);
-  put(21u, quad.corner[2]);
-  put(24u, quad.corner[3]);
-  put(27u, cone.base);
-  put(28u, cylinder.slope);
-  put(29u, pelage_tangent_stretch(0.5 * f(14u)));
+  put(15u, quad.visible);
+  put(16u, quad.corner[0]);
+  put(19u, quad.corner[1]);
+  put(22u, quad.corner[2]);
+  put(25u, quad.corner[3]);
+  put(28u, cone.base);
+  put(29u, cylinder.slope);
+  put(30u, pelage_tangent_stretch(0.5 * f(14u)));
   const pelage_strand_joint first = pelage_strand_joint(origin.xy, direction.xy);
   const pelage_strand_joint second = pelage_strand_joint(start.xy, end.xy);
   const vec2 pixel = vec2(f(14u), f(12u));
-  put(30u, pelage_past_joint(first, pixel));
-  put(31u, pelage_owned_by_segment(first, second, pixel));
+  put(31u, pelage_past_joint(first, pixel));
+  put(32u, pelage_owned_by_segment(first, second, pixel));
 }

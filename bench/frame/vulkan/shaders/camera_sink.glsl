@@ -87,8 +87,7 @@ void sink_keep(pelage_fragment f) {
 void sink_finish(ivec2 at) {
   const uint p = 3u * index_of(at);
   const vec3 background = vec3(picture[p], picture[p + 1u], picture[p + 2u]);
-  const vec3 passed = vec3(pelage_transmittance_of(sink_behind));
-  sink_pixel = pelage_add_fibre(sink_pixel, pelage_mean_colour(sink_behind), passed, 1.0);
+  sink_pixel = pelage_add_tail(sink_pixel, sink_behind);
   const vec3 colour = pelage_resolve(sink_pixel, background);
   picture[p] = colour.r;
   picture[p + 1u] = colour.g;

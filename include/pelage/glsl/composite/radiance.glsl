@@ -4,6 +4,7 @@
 #ifndef PELAGE_COMPOSITE_RADIANCE_GLSL
 #define PELAGE_COMPOSITE_RADIANCE_GLSL
 
+#include "tail.glsl"
 #include "transmittance.glsl"
 
 /// A pixel's radiance while its fibres are added front to back: Σ (1 - Aᵢ) Cᵢ Lᵢ Π_{j<i} (Aⱼ Cⱼ + 1 - Cⱼ).
@@ -23,6 +24,12 @@ pelage_pixel_radiance pelage_empty_pixel() {
 /// `attenuation` A and `coverage` C as in pelage_transmittance(). O(1).
 precise pelage_pixel_radiance pelage_add_fibre(pelage_pixel_radiance pixel, vec3 scattered, vec3 attenuation,
                                                float coverage);
+
+/// The pixel with a tail behind its fibres: one more layer, of the tail's mean colour and transmittance, that covers
+/// the whole pixel. Where the tail's colours are over a white, so are the pixel's.
+pelage_pixel_radiance pelage_add_tail(pelage_pixel_radiance pixel, pelage_tail behind) {
+  return pelage_add_fibre(pixel, pelage_mean_colour(behind), vec3(pelage_transmittance_of(behind)), 1.0);
+}
 
 /// What is seen of the pixel in front of a background, linear RGB.
 precise vec3 pelage_resolve(pelage_pixel_radiance pixel, vec3 background) {
