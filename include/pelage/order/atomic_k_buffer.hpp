@@ -31,7 +31,7 @@ namespace pelage::inline PELAGE_ABI::atomic_k_buffer {
 /// Offers a fragment. Returns what fell out: a fragment that others pushed on, itself where K nearer ones are held,
 /// or no_fragment(). What is_fragment() refuses comes back as it is. Depths -0 come back as +0. Over all inserts of
 /// a pixel, what comes back is each fragment that is not among the K nearest, once; which call it comes back from
-/// depends on the interleaving.
+/// depends on the interleaving. For a tail, look up alpha and colour by the id that comes back.
 ///
 /// `pixel`: [0, size() / K). Wait-free where the minimum of the hardware is, else lock-free: a step is
 /// repeated only because another insert made the same slot smaller. O(log K) loads for a fragment that is too far or

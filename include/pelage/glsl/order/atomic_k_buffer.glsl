@@ -49,7 +49,7 @@ uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shade
 /// Offers a fragment. Returns what fell out: a fragment that others pushed on, itself where K nearer ones are held,
 /// or pelage_no_fragment(). What pelage_is_fragment() refuses comes back as it is. Depths -0 come back as +0. Over all
 /// inserts of a pixel, what comes back is each fragment that is not among the K nearest, once; which call it comes back
-/// from depends on the interleaving.
+/// from depends on the interleaving. For a tail, look up alpha and colour by the id that comes back.
 ///
 /// `pixel`: [0, size() / K). Wait-free where the minimum of the hardware is, else lock-free: a step is
 /// repeated only because another insert made the same slot smaller. O(log K) loads for a fragment that is too far or

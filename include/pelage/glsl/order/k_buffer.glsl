@@ -65,8 +65,8 @@ pelage_k_buffer pelage_k_buffer_empty() {
 void pelage_k_buffer_find_farthest(inout pelage_k_buffer self);
 
 /// Offers a fragment and returns what fell out: the fragment that it pushed out, itself where K nearer ones are
-/// held, or pelage_no_fragment(). What pelage_is_fragment() refuses comes back as it is. O(1) when the fragment is too
-/// far, O(K) when it stays.
+/// held, or pelage_no_fragment(). What pelage_is_fragment() refuses comes back as it is. For a tail, look up alpha and
+/// colour by the id that comes back, not by the one offered. O(1) when the fragment is too far, O(K) when it stays.
 pelage_fragment pelage_k_buffer_insert(inout pelage_k_buffer self, pelage_fragment offered) {
   if (!pelage_is_fragment(offered) || !pelage_before(offered, self.farthest)) {
     return offered;
