@@ -98,8 +98,8 @@ void evaluate_plain(benchmark::State& state) {
 template <class Fibre>
 void evaluate_with(benchmark::State& state, const std::vector<Fibre>& made) {
   each(state, [&](std::size_t k) {
-    const auto view = view_chiang(made[k], all().h[k], direction_by_fibre(all().eye[k]));
-    std::array<float, 3> value = evaluate_chiang(made[k], view, direction_by_fibre(all().light[k])).value;
+    const auto view = view_chiang(made[k], all().h[k], fibre_direction_of(all().eye[k]));
+    std::array<float, 3> value = evaluate_chiang(made[k], view, fibre_direction_of(all().light[k])).value;
     benchmark::DoNotOptimize(value);
   });
 }
@@ -107,23 +107,23 @@ void evaluate_with(benchmark::State& state, const std::vector<Fibre>& made) {
 template <class Fibre>
 void density_with(benchmark::State& state, const std::vector<Fibre>& made) {
   each(state, [&](std::size_t k) {
-    const auto view = view_chiang(made[k], all().h[k], direction_by_fibre(all().eye[k]));
-    benchmark::DoNotOptimize(chiang_density(made[k], view, direction_by_fibre(all().light[k])));
+    const auto view = view_chiang(made[k], all().h[k], fibre_direction_of(all().eye[k]));
+    benchmark::DoNotOptimize(chiang_density(made[k], view, fibre_direction_of(all().light[k])));
   });
 }
 
 template <class Fibre>
 void both_with(benchmark::State& state, const std::vector<Fibre>& made) {
   each(state, [&](std::size_t k) {
-    const auto view = view_chiang(made[k], all().h[k], direction_by_fibre(all().eye[k]));
-    benchmark::DoNotOptimize(evaluate_chiang(made[k], view, direction_by_fibre(all().light[k])));
+    const auto view = view_chiang(made[k], all().h[k], fibre_direction_of(all().eye[k]));
+    benchmark::DoNotOptimize(evaluate_chiang(made[k], view, fibre_direction_of(all().light[k])));
   });
 }
 
 template <class Fibre>
 void sample_with(benchmark::State& state, const std::vector<Fibre>& made) {
   each(state, [&](std::size_t k) {
-    const auto view = view_chiang(made[k], all().h[k], direction_by_fibre(all().eye[k]));
+    const auto view = view_chiang(made[k], all().h[k], fibre_direction_of(all().eye[k]));
     const glm::vec4& u = all().u[k];
     benchmark::DoNotOptimize(sample_chiang(made[k], view, std::array<float, 4>{u[0], u[1], u[2], u[3]}));
   });

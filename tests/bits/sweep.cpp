@@ -96,15 +96,15 @@ bool same_bits(const results& a, const results& b) {
   const auto shifted = kajiya_kay_double(tangent, light, eye, {80.0f, 0.1f}, {20.0f, -0.15f});
   put(out, {lobes.diffuse, lobes.specular, shifted.primary, shifted.secondary});
   const auto fibre = make_chiang_fibre<float>({1.55f, {unit, 0.3f, radius}, 0.1f + 0.8f * unit, 0.3f, -0.035f});
-  const auto view = view_chiang(fibre, 2.0f * unit - 1.0f, direction_by_fibre(eye));
-  const auto seen = evaluate_chiang(fibre, view, direction_by_fibre(light));
+  const auto view = view_chiang(fibre, 2.0f * unit - 1.0f, fibre_direction_of(eye));
+  const auto seen = evaluate_chiang(fibre, view, fibre_direction_of(light));
   const auto sampled = sample_chiang(fibre, view, {unit, radius, 0.4f, 0.7f});
   put(out, seen.value);
   put(out, sampled.direction);
   put(out, {seen.density, sampled.result.density});
   const auto quad = make_chiang_quad_fibre(fibre);
   put(out,
-      evaluate_chiang(quad, view_chiang(quad, 2.0f * unit - 1.0f, direction_by_fibre(eye)), direction_by_fibre(light))
+      evaluate_chiang(quad, view_chiang(quad, 2.0f * unit - 1.0f, fibre_direction_of(eye)), fibre_direction_of(light))
           .value);
   put(out,
       evaluate_marschner(common_marschner_parameters<float>({unit, 0.3f, radius}), a.x / 3.0f, b.x / 3.0f, c.x, 0.0f)
@@ -176,8 +176,8 @@ bool packs_agree(draws& draw) {
   std::array<std::array<float, n>, 4> expected;
   for (std::size_t k = 0; k < n; ++k) {
     const auto seen = evaluate_chiang(
-        fibre, view_chiang(fibre, in[0][k], direction_by_fibre(glm::vec3(unit[0][k], unit[1][k], unit[2][k]))),
-        direction_by_fibre(glm::vec3(unit[3][k], unit[4][k], unit[5][k])));
+        fibre, view_chiang(fibre, in[0][k], fibre_direction_of(glm::vec3(unit[0][k], unit[1][k], unit[2][k]))),
+        fibre_direction_of(glm::vec3(unit[3][k], unit[4][k], unit[5][k])));
     for (std::size_t c = 0; c < 3; ++c)
       expected[c][k] = seen.value[c];
     expected[3][k] = seen.density;

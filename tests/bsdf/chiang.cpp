@@ -31,14 +31,14 @@ chiang_fibre<float> clear_fibre(double beta_m, double beta_n, double tilt) {
 std::array<double, 2> furnace(const chiang_fibre<float>& fibre, double h, double theta_o) {
   const chiang_quad_fibre quad = make_chiang_quad_fibre(fibre);
   const auto view =
-      view_chiang(quad, static_cast<float>(h), direction_by_fibre(test::unit_vector<float>(theta_o, 0.4)));
+      view_chiang(quad, static_cast<float>(h), fibre_direction_of(test::unit_vector<float>(theta_o, 0.4)));
   const int thetas = test::theta_panels_for(fibre);
   const int phis = test::phi_count_for(fibre);
   return {test::integrate_sphere<float>(
               thetas, phis,
-              [&](const glm::vec3& light) { return evaluate_chiang(quad, view, direction_by_fibre(light)).value[1]; }),
+              [&](const glm::vec3& light) { return evaluate_chiang(quad, view, fibre_direction_of(light)).value[1]; }),
           test::integrate_sphere<float>(thetas, phis, [&](const glm::vec3& light) {
-            return chiang_density(quad, view, direction_by_fibre(light));
+            return chiang_density(quad, view, fibre_direction_of(light));
           })};
 }
 
@@ -80,14 +80,14 @@ TEST_CASE("white furnace: a clear fibre sends out all light, within 2e-4 in floa
 
 TEST_CASE("with absorption less light leaves, in each channel as if it were alone") {
   const auto fibre = make_chiang_fibre<float>({1.55f, {0.1f, 0.5f, 2.0f}, 0.3f, 0.3f, 0.03f});
-  const auto view = view_chiang(fibre, 0.3f, direction_by_fibre(test::unit_vector<float>(0.4, 0.0)));
+  const auto view = view_chiang(fibre, 0.3f, fibre_direction_of(test::unit_vector<float>(0.4, 0.0)));
   for (std::uint32_t c = 0; c < 3; ++c) {
     double expected = 0.0;
     for (std::uint32_t p = 0; p < 4; ++p) {
       expected += static_cast<double>(view.attenuation[p][c]);
     }
     const double sum = test::integrate_sphere<float>(60, 150, [&](const glm::vec3& light) {
-      return evaluate_chiang(fibre, view, direction_by_fibre(light)).value[c];
+      return evaluate_chiang(fibre, view, fibre_direction_of(light)).value[c];
     });
     CHECK(sum == doctest::Approx(expected).epsilon(1e-4));
     CHECK(sum < 1.0002);
@@ -100,7 +100,7 @@ TEST_CASE("energy never exceeds 1, whatever the fibre") {
     const auto fibre =
         make_chiang_fibre<float>({1.0f + eta / 40000.0f, {sigma / 10000.0f, 0.0f, 100.0f}, 0.3f, 0.3f, 0.0f});
     const auto view =
-        view_chiang(fibre, h / 32767.0f, direction_by_fibre(test::unit_vector<float>(theta / 32768.0 * 1.5707, 0)));
+        view_chiang(fibre, h / 32767.0f, fibre_direction_of(test::unit_vector<float>(theta / 32768.0 * 1.5707, 0)));
     for (std::uint32_t c = 0; c < 3; ++c) {
       float sum = 0.0f;
       for (std::uint32_t p = 0; p < 4; ++p) {
@@ -122,10 +122,10 @@ TEST_CASE("R is reciprocal without tilt: both directions at one inclination or s
       const glm::dvec3 one = test::unit_vector<double>(theta, 0.7);
       const glm::dvec3 other = test::unit_vector<double>(-theta, 0.7 + phi);
       const auto forth =
-          evaluate_chiang(fibre, view_chiang(fibre, h, direction_by_fibre(one)), direction_by_fibre(other));
+          evaluate_chiang(fibre, view_chiang(fibre, h, fibre_direction_of(one)), fibre_direction_of(other));
       // Seen from the other side the mirror's normal is at the same place, on the other half of the width.
       const auto back =
-          evaluate_chiang(fibre, view_chiang(fibre, -h, direction_by_fibre(other)), direction_by_fibre(one));
+          evaluate_chiang(fibre, view_chiang(fibre, -h, fibre_direction_of(other)), fibre_direction_of(one));
       CHECK(forth.value[0] > 0.0);
       CHECK(back.value[0] == doctest::Approx(forth.value[0]).epsilon(1e-12));
     }
@@ -189,23 +189,23 @@ TEST_CASE("the BSDF times the cosine that it was divided by is the kernel's valu
   const auto fibre = make_chiang_fibre<double>({1.55, {0.2, 0.4, 0.9}, 0.3, 0.3, 0.03});
   const glm::dvec3 eye = test::unit_vector<double>(0.3, 0.2);
   const glm::dvec3 light = test::unit_vector<double>(-0.2, 1.0);
-  const auto view = view_chiang(fibre, 0.2, direction_by_fibre(eye));
-  const auto value = evaluate_chiang(fibre, view, direction_by_fibre(light));
+  const auto view = view_chiang(fibre, 0.2, fibre_direction_of(eye));
+  const auto value = evaluate_chiang(fibre, view, fibre_direction_of(light));
   const auto bsdf = evaluate_chiang_bsdf(fibre, 0.2, eye, light);
   CHECK(bsdf.f.y * std::abs(light.z) == doctest::Approx(value.value[1]).epsilon(1e-14));
   CHECK(bsdf.density == value.density);
-  CHECK(chiang_density(fibre, view, direction_by_fibre(light)) == doctest::Approx(value.density).epsilon(1e-15));
+  CHECK(chiang_density(fibre, view, fibre_direction_of(light)) == doctest::Approx(value.density).epsilon(1e-15));
   const auto level = evaluate_chiang_bsdf(fibre, 0.2, eye, glm::dvec3(0.0, 1.0, 0.0));
-  CHECK(level.f.x == evaluate_chiang(fibre, view, direction_by_fibre(glm::dvec3(0.0, 1.0, 0.0))).value[0]);
+  CHECK(level.f.x == evaluate_chiang(fibre, view, fibre_direction_of(glm::dvec3(0.0, 1.0, 0.0))).value[0]);
 }
 
 TEST_CASE("tints scale their lobe alone") {
   auto fibre = make_chiang_fibre<double>({1.55, {0.2, 0.4, 0.9}, 0.3, 0.3, 0.03});
   fibre.tints = {0.0, 1.0, 0.0, 0.0};
-  const auto eye = direction_by_fibre(test::unit_vector<double>(0.3, 0.2));
+  const auto eye = fibre_direction_of(test::unit_vector<double>(0.3, 0.2));
   const auto view = view_chiang(fibre, 0.2, eye);
   CHECK(view.weights[1] == doctest::Approx(1.0).epsilon(1e-15));
-  const auto light = direction_by_fibre(test::unit_vector<double>(-0.3, 3.1));
+  const auto light = fibre_direction_of(test::unit_vector<double>(-0.3, 3.1));
   CHECK(evaluate_chiang(fibre, view, light).value[0] ==
         doctest::Approx(chiang_lobes(fibre, view, light)[1] * view.attenuation[1][0]).epsilon(1e-15));
 }
@@ -230,7 +230,7 @@ struct drawn_pair {
     const auto& n = number;
     const auto direction = [](float x, float azimuth) {
       const float across = std::sqrt((1.0f - x) * (1.0f + x));
-      return direction_by_fibre(Real(x), Real(across * std::cos(azimuth)), Real(across * std::sin(azimuth)));
+      return fibre_direction_of(Real(x), Real(across * std::cos(azimuth)), Real(across * std::sin(azimuth)));
     };
     const auto fibre =
         make_chiang_fibre<Real>({Real(n[0]), {Real(n[1]), Real(0.0f), Real(0.1f)}, Real(n[2]), Real(n[3]), Real(n[4])});

@@ -19,8 +19,8 @@ chiang_fibre<double> fibre_of(double beta_n) {
 /// The average over the width by 8,000 midpoints of h itself.
 double by_brute_force(const chiang_fibre<double>& fibre, double phi) {
   const int count = 8000;
-  const auto eye = direction_by_fibre(test::unit_vector<double>(0.3, 0.0));
-  const auto light = direction_by_fibre(test::unit_vector<double>(-0.25, phi));
+  const auto eye = fibre_direction_of(test::unit_vector<double>(0.3, 0.0));
+  const auto light = fibre_direction_of(test::unit_vector<double>(-0.25, phi));
   double sum = 0.0;
   for (int k = 0; k < count; ++k) {
     sum += evaluate_chiang(fibre, view_chiang(fibre, 2.0 * (k + 0.5) / count - 1.0, eye), light).value[1];
@@ -31,12 +31,12 @@ double by_brute_force(const chiang_fibre<double>& fibre, double phi) {
 template <int Panels>
 double worst_error(double beta_n) {
   const auto fibre = fibre_of(beta_n);
-  const auto eye = direction_by_fibre(test::unit_vector<double>(0.3, 0.0));
+  const auto eye = fibre_direction_of(test::unit_vector<double>(0.3, 0.0));
   double worst = 0.0;
   double greatest = 0.0;
   for (int k = 0; k < 24; ++k) {
     const double phi = k * std::numbers::pi / 23.0;
-    const auto light = direction_by_fibre(test::unit_vector<double>(-0.25, phi));
+    const auto light = fibre_direction_of(test::unit_vector<double>(-0.25, phi));
     const double expected = by_brute_force(fibre, phi);
     worst = std::max(worst, std::abs(evaluate_chiang_far<Panels>(fibre, eye, light).value[1] - expected));
     greatest = std::max(greatest, expected);
@@ -74,9 +74,9 @@ TEST_CASE("the rule's weights are an average's") {
 
 TEST_CASE("seen from afar a clear fibre still sends out all light") {
   const auto fibre = make_chiang_fibre<float>({1.55f, {0.0f, 0.0f, 0.0f}, 0.3f, 0.3f, 0.05f});
-  const auto eye = direction_by_fibre(test::unit_vector<float>(0.8, 0.0));
+  const auto eye = fibre_direction_of(test::unit_vector<float>(0.8, 0.0));
   const double sum = test::integrate_sphere<float>(30, 60, [&](const glm::vec3& light) {
-    return evaluate_chiang_far<4>(fibre, eye, direction_by_fibre(light)).value[2];
+    return evaluate_chiang_far<4>(fibre, eye, fibre_direction_of(light)).value[2];
   });
   CHECK(sum == doctest::Approx(1.0).epsilon(2e-4));
 }

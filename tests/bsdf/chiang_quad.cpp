@@ -14,8 +14,8 @@ TEST_CASE("four lanes give the kernel's bits") {
                 auto fibre = make_chiang_fibre<float>(
                     {1.55f, {sigma / 20000.0f, 0.0f, 1.0f}, rough / 65535.0f, 1.0f - rough / 65535.0f, tilt / 700.0f});
                 fibre.tints = {1.0f, 0.5f, 0.25f, 0.9f};
-                const auto eye = direction_by_fibre(test::unit_vector<float>(theta_o / 32768.0 * 1.5707, 1.0));
-                const auto light = direction_by_fibre(test::unit_vector<float>(theta_i / 32768.0 * 1.5707, phi * 1e-4));
+                const auto eye = fibre_direction_of(test::unit_vector<float>(theta_o / 32768.0 * 1.5707, 1.0));
+                const auto light = fibre_direction_of(test::unit_vector<float>(theta_i / 32768.0 * 1.5707, phi * 1e-4));
                 const auto view = view_chiang(fibre, h / 32767.0f, eye);
                 const chiang_quad_fibre quad = make_chiang_quad_fibre(fibre);
                 const chiang_quad_view quad_view = view_chiang(quad, h / 32767.0f, eye);
@@ -31,7 +31,7 @@ TEST_CASE("four lanes draw the kernel's directions") {
   test::holds("direction, lobe, value and density are those of sample_chiang()",
               [](std::uint16_t a, std::uint16_t b, std::uint16_t c, std::uint16_t d, std::int8_t h, std::int8_t theta) {
                 const auto fibre = make_chiang_fibre<float>({1.55f, {0.1f, 0.2f, 0.3f}, 0.4f, 0.2f, 0.1f});
-                const auto eye = direction_by_fibre(test::unit_vector<float>(theta / 128.0 * 1.5707, 2.0));
+                const auto eye = fibre_direction_of(test::unit_vector<float>(theta / 128.0 * 1.5707, 2.0));
                 const auto number = [](std::uint16_t x) { return static_cast<float>(x) / 65536.0f; };
                 const std::array<float, 4> u = {number(a), number(b), number(c), number(d)};
                 const auto expected = sample_chiang(fibre, view_chiang(fibre, h / 127.0f, eye), u);

@@ -48,7 +48,7 @@ TEST_CASE("samples are distributed as the density says: χ² over 96 cells of eq
   const int draws = 200000;
   for (const setting& s : settings) {
     const auto fibre = make_chiang_fibre(s.parameters);
-    const auto view = view_chiang(fibre, s.h, direction_by_fibre(test::unit_vector<float>(s.theta, 0.5)));
+    const auto view = view_chiang(fibre, s.h, fibre_direction_of(test::unit_vector<float>(s.theta, 0.5)));
     std::vector<double> observed(rows * columns), expected(rows * columns);
     std::uint32_t state = 12345u;  // a fixed stream of independent numbers
     const auto draw = [&] {
@@ -79,7 +79,7 @@ TEST_CASE("samples are distributed as the density says: χ² over 96 cells of eq
         const double azimuth = 2.0 * pi * (k + 0.5) / (columns * fine) - pi;
         const glm::vec3 w = test::unit_vector<float>(std::asin(x), azimuth);
         expected[static_cast<std::size_t>(i / fine * columns + k / fine)] +=
-            static_cast<double>(chiang_density(fibre, view, direction_by_fibre(w))) * draws * 4.0 * pi /
+            static_cast<double>(chiang_density(fibre, view, fibre_direction_of(w))) * draws * 4.0 * pi /
             (rows * columns * fine * fine);
       }
     }
@@ -111,7 +111,7 @@ TEST_CASE("samples are distributed as the density says: χ² over 96 cells of eq
 TEST_CASE("the mean weight of samples is the energy that leaves, within 1e-3") {
   for (const setting& s : settings) {
     const auto fibre = make_chiang_fibre(s.parameters);
-    const auto view = view_chiang(fibre, s.h, direction_by_fibre(test::unit_vector<float>(s.theta, 0.5)));
+    const auto view = view_chiang(fibre, s.h, fibre_direction_of(test::unit_vector<float>(s.theta, 0.5)));
     const int draws = 60000;
     std::array<double, 3> mean = {0.0, 0.0, 0.0};
     for (int k = 0; k < draws; ++k) {
@@ -132,7 +132,7 @@ TEST_CASE("the mean weight of samples is the energy that leaves, within 1e-3") {
 
 TEST_CASE("a clear fibre's samples all have weight 1") {
   const auto fibre = make_chiang_fibre<float>({1.55f, {0.0f, 0.0f, 0.0f}, 0.2f, 0.2f, 0.05f});
-  const auto view = view_chiang(fibre, 0.7f, direction_by_fibre(test::unit_vector<float>(0.9, 0.0)));
+  const auto view = view_chiang(fibre, 0.7f, fibre_direction_of(test::unit_vector<float>(0.9, 0.0)));
   for (int k = 0; k < 2000; ++k) {
     const auto sample = sample_chiang(fibre, view, even_point(k));
     REQUIRE(sample.result.density > 0.0f);
@@ -148,12 +148,12 @@ TEST_CASE("sampled directions are unit vectors, whatever the numbers, and carry 
     const float beta = static_cast<float>(rough) / 255.0f;
     const auto fibre = make_chiang_fibre<float>({1.55f, {0.3f, 0.0f, 5.0f}, beta, 1.0f - beta, -0.1f});
     const auto eye = test::unit_vector<float>(theta / 128.0 * 1.5707, 2.0);
-    const auto view = view_chiang(fibre, h / 127.0f, direction_by_fibre(eye));
+    const auto view = view_chiang(fibre, h / 127.0f, fibre_direction_of(eye));
     const auto number = [](std::uint16_t x) { return static_cast<float>(x) / 65536.0f; };
     const auto sample = sample_chiang(fibre, view, std::array<float, 4>{number(a), number(b), number(c), number(d)});
     const glm::dvec3 w(sample.direction);
     RC_ASSERT(std::abs(std::sqrt(w.x * w.x + w.y * w.y + w.z * w.z) - 1.0) < 3e-7);
-    const auto again = evaluate_chiang(fibre, view, direction_by_fibre(sample.direction));
+    const auto again = evaluate_chiang(fibre, view, fibre_direction_of(sample.direction));
     RC_ASSERT(again.value == sample.result.value);
     RC_ASSERT(again.density == sample.result.density);
     RC_ASSERT(std::isfinite(sample.result.density));
@@ -166,7 +166,7 @@ TEST_CASE("the ends of the unit interval and directions along the fibre are draw
   for (const float rough : {0.0f, 0.3f, 1.0f}) {
     const auto fibre = make_chiang_fibre<float>({1.55f, {0.0f, 0.3f, 1.0f}, rough, rough, 0.0f});
     for (const glm::vec3& eye : {glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, 1)}) {
-      const auto view = view_chiang(fibre, 0.5f, direction_by_fibre(eye));
+      const auto view = view_chiang(fibre, 0.5f, fibre_direction_of(eye));
       for (int corner = 0; corner < 16; ++corner) {
         const auto end = [&](int bit) { return (corner >> bit & 1) != 0 ? last : 0.0f; };
         const auto sample = sample_chiang(fibre, view, std::array<float, 4>{end(0), end(1), end(2), end(3)});
@@ -181,7 +181,7 @@ TEST_CASE("the ends of the unit interval and directions along the fibre are draw
 TEST_CASE("a fibre that is black in every lobe has density 0 and no NaN") {
   const float inf = std::numeric_limits<float>::infinity();
   const auto fibre = make_chiang_fibre<float>({1.0f, {inf, inf, inf}, 0.3f, 0.3f, 0.0f});
-  const auto view = view_chiang(fibre, 0.2f, direction_by_fibre(test::unit_vector<float>(0.2, 0.0)));
+  const auto view = view_chiang(fibre, 0.2f, fibre_direction_of(test::unit_vector<float>(0.2, 0.0)));
   const auto sample = sample_chiang(fibre, view, std::array<float, 4>{0.5f, 0.5f, 0.5f, 0.5f});
   CHECK(sample.result.density < 1e-12f);
   CHECK(sample.result.value[0] < 1e-12f);

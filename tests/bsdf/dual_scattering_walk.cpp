@@ -48,7 +48,7 @@ walked walk(const chiang_fibre<double>& fibre, double theta, int photons) {
     bool straight = true;
     int layer = 0;
     for (std::size_t met = 1; layer >= 0 && weight > 1e-3 / photons; ++met) {
-      const auto view = view_chiang(fibre, 2.0 * draw(generator) - 1.0, direction_by_fibre(-along));
+      const auto view = view_chiang(fibre, 2.0 * draw(generator) - 1.0, fibre_direction_of(-along));
       const auto drawn = sample_chiang(
           fibre, view, std::array<double, 4>{draw(generator), draw(generator), draw(generator), draw(generator)});
       weight *= drawn.result.value[0] / drawn.result.density;

@@ -49,7 +49,7 @@ double albedo_of_mass(double sigma_a, double beta_n, int photons) {
           glm::normalize(glm::cross(x, std::abs(x.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
       const glm::dvec3 z = glm::cross(x, y);
       const glm::dvec3 eye(glm::dot(-towards, x), glm::dot(-towards, y), glm::dot(-towards, z));
-      const auto view = view_chiang(fibre, 2.0 * draw(generator) - 1.0, direction_by_fibre(eye));
+      const auto view = view_chiang(fibre, 2.0 * draw(generator) - 1.0, fibre_direction_of(eye));
       const auto sample = sample_chiang(
           fibre, view, std::array<double, 4>{draw(generator), draw(generator), draw(generator), draw(generator)});
       weight *= sample.result.value[0] / sample.result.density;

@@ -180,8 +180,8 @@ TEST_CASE("the choice is the header's model, within the tables' bounds") {
     const float expected = 0.5F * s[0] * std::cos(theta_i);
     marschner_peak = std::max(marschner_peak, expected);
     marschner_error = std::max(marschner_error, std::abs(sent(marschner, theta_i, theta_r, phi).x - expected));
-    const auto f = evaluate_chiang_far<32>(rough, direction_by_fibre(direction(theta_r, 0.0F)),
-                                           direction_by_fibre(direction(theta_i, phi)));
+    const auto f = evaluate_chiang_far<32>(rough, fibre_direction_of(direction(theta_r, 0.0F)),
+                                           fibre_direction_of(direction(theta_i, phi)));
     chiang_peak = std::max(chiang_peak, f.value[0]);
     chiang_error = std::max(chiang_error, std::abs(sent(chiang, theta_i, theta_r, phi).x - f.value[0]));
   });
@@ -299,7 +299,7 @@ TEST_CASE("dual scattering is the header's, on averages of the header's fibre") 
         at.opacity = opacity;
         const glm::vec3 shown = hair.scatter(at, direction(theta_i, phi), passed) / pi;
         const auto once =
-            evaluate_chiang_far<16>(fibre, direction_by_fibre(at.to_eye), direction_by_fibre(direction(theta_i, phi)));
+            evaluate_chiang_far<16>(fibre, fibre_direction_of(at.to_eye), fibre_direction_of(direction(theta_i, phi)));
         const float cos_d = std::cos(0.5F * (theta_r - theta_i));
         const float to_radiance = std::cos(theta_i) * std::cos(theta_r) / (cos_d * cos_d);
         const glm::vec3 many =

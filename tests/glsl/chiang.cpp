@@ -39,7 +39,7 @@ chiang_fibre<double> fibre_of(row in) {
 }
 
 chiang_view<double> view_of(row in) {
-  return view_chiang(fibre_of(in), in.d(7), direction_by_fibre(in.d3(8)));
+  return view_chiang(fibre_of(in), in.d(7), fibre_direction_of(in.d3(8)));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ TEST_CASE("Chiang's model is within 5e-5 of double on every device") {
   holds("chiang", [&] {
     compare_with_double(kernels::chiang, inputs,
                         [](row in, row, wanted& out) {
-                          const auto light = direction_by_fibre(in.d3(11));
+                          const auto light = fibre_direction_of(in.d3(11));
                           const auto result = evaluate_chiang(fibre_of(in), view_of(in), light);
                           out.put(result.value);
                           out.put(result.density);
@@ -83,7 +83,7 @@ TEST_CASE("Directions drawn on a device are unit vectors, from a lobe by its wei
                           for (std::size_t p = 0; p < lobe; ++p)
                             before += view.weights[p];
                           RC_ASSERT(in.d(11) > before - 1e-6 && in.d(11) < before + view.weights[lobe] + 1e-6);
-                          const auto result = evaluate_chiang(fibre_of(in), view, direction_by_fibre(direction));
+                          const auto result = evaluate_chiang(fibre_of(in), view, fibre_direction_of(direction));
                           out.put(direction);
                           out.put(result.value);
                           out.put(result.density);
@@ -102,8 +102,8 @@ TEST_CASE("Averages over a fibre's width are within 5e-5 of double on every devi
   holds("chiang far", [&] {
     compare_with_double(kernels::chiang_far, inputs,
                         [](row in, row, wanted& out) {
-                          const auto far = evaluate_chiang_far<4>(fibre_of(in), direction_by_fibre(in.d3(8)),
-                                                                  direction_by_fibre(in.d3(11)));
+                          const auto far = evaluate_chiang_far<4>(fibre_of(in), fibre_direction_of(in.d3(8)),
+                                                                  fibre_direction_of(in.d3(11)));
                           out.put(far.value);
                           out.put(far.density);
                           out.put(axial_passage(in.d(0), in.channels(1), in.d(8)));

@@ -136,8 +136,8 @@ TEST_CASE("Lobes and their parameters are within 2e-5 of double on every device"
           out.put(roughness_of_width(in.d(2)));
           const auto along = make_longitudinal_lobe(variance);
           out.put(along.height);
-          const auto light = direction_by_fibre(in.d(3), in.d(5), in.d(6));
-          const auto eye = direction_by_fibre(glm::dvec3(in.d(4), in.d(6), in.d(5)));
+          const auto light = fibre_direction_of(in.d(3), in.d(5), in.d(6));
+          const auto eye = fibre_direction_of(glm::dvec3(in.d(4), in.d(6), in.d(5)));
           out.put(light.cosine);
           out.put(evaluate_longitudinal(along, light.sine, light.cosine, eye.sine, eye.cosine));
           const rotation<double> inclination = sample_longitudinal(along, eye.sine, eye.cosine, in.d(7), in.d(8));
@@ -165,7 +165,7 @@ TEST_CASE("Lobes and their parameters are within 2e-5 of double on every device"
          {"azimuthal_scale", 1, 1e-6},
          {"roughness_of_width", 1, 1e-6},
          {"make_longitudinal_lobe", 1, 2e-6},
-         {"direction_by_fibre", 1, 5e-7},
+         {"fibre_direction_of", 1, 5e-7},
          {"evaluate_longitudinal", 1, 2e-5, 1e-6},
          {"sample_longitudinal", 2, 2e-5, 1.0},
          {"make_azimuthal_lobe", 1, 2e-6},
@@ -178,7 +178,7 @@ TEST_CASE("Lobes and their parameters are within 2e-5 of double on every device"
          {"melanin_of", 2, 1e-7},
          {"sine_of_sum", 1, 1e-6, 1e-3},
          {"versine", 1, 1e-6},
-         {"direction_by_fibre azimuth", 2, 0.0}});
+         {"fibre_direction_of azimuth", 2, 0.0}});
   });
 }
 

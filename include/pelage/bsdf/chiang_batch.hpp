@@ -23,7 +23,7 @@ struct chiang_batch {
 
 /// What comes out, of the same length; may not overlap the inputs.
 struct chiang_batch_result {
-  std::array<std::span<float>, 3> value;  ///< f |cos| for red, green, blue
+  std::array<std::span<float>, 3> value;  ///< for red, green, blue: as that of chiang_result
   std::span<float> density;               ///< per steradian
 };
 
@@ -103,9 +103,9 @@ void evaluate_chiang_lanes(const chiang_fibre<lanes<W>>& fibre, const chiang_bat
                            const chiang_batch_result& result, std::size_t at) noexcept {
   using pack = lanes<W>;
   const pack h = load_lanes<W>(batch.h, at);
-  const fibre_direction<pack> eye = direction_by_fibre(load_lanes<W>(batch.eye[0], at), load_lanes<W>(batch.eye[1], at),
+  const fibre_direction<pack> eye = fibre_direction_of(load_lanes<W>(batch.eye[0], at), load_lanes<W>(batch.eye[1], at),
                                                        load_lanes<W>(batch.eye[2], at));
-  const fibre_direction<pack> light = direction_by_fibre(
+  const fibre_direction<pack> light = fibre_direction_of(
       load_lanes<W>(batch.light[0], at), load_lanes<W>(batch.light[1], at), load_lanes<W>(batch.light[2], at));
   const chiang_result<pack> found = evaluate_chiang(fibre, view_chiang(fibre, h, eye), light);
   for (std::uint32_t c = 0u; c < 3u; ++c) {

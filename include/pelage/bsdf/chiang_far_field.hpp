@@ -27,8 +27,8 @@ struct width_node {
 template <std::floating_point Real>
 [[nodiscard]] inline width_node<Real> fibre_width_node(int node, int panels) noexcept;
 
-/// The average. Only h varies: `eye` and `light` are what they are for the near field. `value` holds f |cos| and
-/// `density` that of sampling after drawing h uniformly.
+/// The average. Only h varies: `eye` and `light` are what they are for the near field. `value` holds f |cos|,
+/// to be multiplied by no further cosine, and `density` that of sampling after drawing h uniformly.
 template <int Panels, std::floating_point Real>
 [[nodiscard]] chiang_result<Real> evaluate_chiang_far(const chiang_fibre<Real>& fibre, const fibre_direction<Real>& eye,
                                                       const fibre_direction<Real>& light) noexcept;

@@ -175,7 +175,7 @@ inline chiang_sample<float> sample_chiang(const chiang_quad_fibre& fibre, const 
   const azimuthal_lobe<float> round = {fibre.azimuthal.scale.lane[0], 0.0f, 0.0f};
   sample.direction = detail::draw_chiang_direction(along, round, rotation<float>{cosine[p], sine[p]},
                                                    rotation<float>{y[p], z[p]}, p == 3u, u);
-  sample.result = evaluate_chiang(fibre, view, direction_by_fibre(sample.direction));
+  sample.result = evaluate_chiang(fibre, view, fibre_direction_of(sample.direction));
   return sample;
 }
 

@@ -15,7 +15,7 @@ namespace pelage::inline PELAGE_ABI {
 /// The BSDF itself and its density, as a path tracer wants them.
 template <std::floating_point Real>
 struct chiang_bsdf {
-  glm::vec<3, Real> f;  ///< scattering per steradian, divided by |w_i.z|
+  glm::vec<3, Real> f;  ///< scattering divided by |w_i.z|, for renderers that multiply by it
   Real density;         ///< of sample_chiang() drawing w_i, per steradian
 };
 
@@ -74,8 +74,8 @@ template <std::floating_point Real>
 template <std::floating_point Real>
 chiang_bsdf<Real> evaluate_chiang_bsdf(const chiang_fibre<Real>& fibre, Real h, const glm::vec<3, Real>& w_o,
                                        const glm::vec<3, Real>& w_i) noexcept {
-  const chiang_view<Real> view = view_chiang(fibre, h, direction_by_fibre(w_o));
-  const chiang_result<Real> result = evaluate_chiang(fibre, view, direction_by_fibre(w_i));
+  const chiang_view<Real> view = view_chiang(fibre, h, fibre_direction_of(w_o));
+  const chiang_result<Real> result = evaluate_chiang(fibre, view, fibre_direction_of(w_i));
   const Real cosine = absolute(w_i.z);
   const Real divisor = cosine > Real(0) ? cosine : Real(1);
   const glm::vec<3, Real> value = glm::vec<3, Real>(result.value[0], result.value[1], result.value[2]);
@@ -98,7 +98,7 @@ chiang_sample<Real> sample_chiang(const chiang_fibre<Real>& fibre, const chiang_
     }
   }
   drawn.direction = detail::draw_chiang_direction(along, fibre.azimuthal, tilted, middle, drawn.lobe == 3u, u);
-  drawn.result = evaluate_chiang(fibre, view, direction_by_fibre(drawn.direction));
+  drawn.result = evaluate_chiang(fibre, view, fibre_direction_of(drawn.direction));
   return drawn;
 }
 

@@ -20,11 +20,11 @@ struct fibre_direction {
   Real y, z;    ///< the part across the fibre; (1, 0) stands for a direction along it
 };
 
-/// Takes a unit vector with x along the fibre apart. Its cosine is √(1 - x²), whatever y and z are.
+/// The direction of a unit vector with x along the fibre. Its cosine is √(1 - x²), whatever y and z are.
 template <real_number Real>
-[[nodiscard, gnu::always_inline]] inline fibre_direction<Real> direction_by_fibre(Real x, Real y, Real z) noexcept;
+[[nodiscard, gnu::always_inline]] inline fibre_direction<Real> fibre_direction_of(Real x, Real y, Real z) noexcept;
 template <std::floating_point Real>
-[[nodiscard, gnu::always_inline]] inline fibre_direction<Real> direction_by_fibre(const glm::vec<3, Real>& w) noexcept;
+[[nodiscard, gnu::always_inline]] inline fibre_direction<Real> fibre_direction_of(const glm::vec<3, Real>& w) noexcept;
 
 /// Light spread along the fibre by a rough cuticle, normalised over the sphere: a von Mises–Fisher distribution seen
 /// by its inclination. Made once per roughness. [d'Eon 2011 §3.1, Eq. 7]
@@ -87,15 +87,15 @@ template <real_number Real>
 }
 
 template <real_number Real>
-fibre_direction<Real> direction_by_fibre(Real x, Real y, Real z) noexcept {
+fibre_direction<Real> fibre_direction_of(Real x, Real y, Real z) noexcept {
   const Real length2 = y * y + z * z;
   const Real cosine = square_root(greatest((Real(1) - x) * (Real(1) + x), Real(0)));
   return fibre_direction<Real>{x, cosine, select(length2 > Real(0), y, Real(1)), select(length2 > Real(0), z, Real(0))};
 }
 
 template <std::floating_point Real>
-fibre_direction<Real> direction_by_fibre(const glm::vec<3, Real>& w) noexcept {
-  return direction_by_fibre(w.x, w.y, w.z);
+fibre_direction<Real> fibre_direction_of(const glm::vec<3, Real>& w) noexcept {
+  return fibre_direction_of(w.x, w.y, w.z);
 }
 
 template <real_number Real>

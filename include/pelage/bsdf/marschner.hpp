@@ -43,7 +43,7 @@ template <std::floating_point Real>
 struct marschner_result {
   std::array<Real, 3> longitudinal;              ///< M of R, TT, TRT, per radian
   std::array<std::array<Real, 3>, 3> azimuthal;  ///< N of R, TT, TRT, each for red, green, blue, per radian
-  std::array<Real, 3> scattering;                ///< S for red, green, blue: Σ M N/cos²θ_d
+  std::array<Real, 3> scattering;                ///< S for red, green, blue: Σ M N/cos²θ_d; times light · cos θ_i
 };
 
 /// The values that the paper takes for hair: η 1.55, α -0.12 (7°), β 0.13 (7.5°), round, caustic 0.26, 0.5, 1, 0.3.

@@ -36,8 +36,8 @@ struct k_buffer {
   }
 
   /// Offers a fragment and returns what fell out: the fragment that it pushed out, itself where K nearer ones are
-  /// held, or no_fragment(). What is_fragment() refuses comes back as it is. For a tail, look up alpha and colour by the
-  /// id that comes back, not by the one offered. O(1) when the fragment is too far, O(K) when it stays.
+  /// held, or no_fragment(). What is_fragment() refuses comes back as it is. For a tail, look up alpha and colour by
+  /// the id that comes back, not by the one offered. O(1) when the fragment is too far, O(K) when it stays.
   [[nodiscard]] constexpr fragment insert(fragment offered) noexcept {
     if (!is_fragment(offered) || !before(offered, farthest)) {
       return offered;

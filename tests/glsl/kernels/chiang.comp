@@ -11,7 +11,7 @@
 
 void main() {
   if (outside()) return;
-  const pelage_fibre_direction light = pelage_direction_by_fibre(v3(11u));
+  const pelage_fibre_direction light = pelage_fibre_direction_of(v3(11u));
   const pelage_chiang_result result = pelage_evaluate_chiang(fibre(), view(), light);
   put(0u, vec3(result.value[0], result.value[1], result.value[2]));
   put(3u, result.density);

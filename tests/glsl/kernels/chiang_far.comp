@@ -12,7 +12,7 @@
 
 void main() {
   if (outside()) return;
-  const pelage_chiang_result far = pelage_evaluate_chiang_far(fibre(), eye(), pelage_direction_by_fibre(v3(11u)));
+  const pelage_chiang_result far = pelage_evaluate_chiang_far(fibre(), eye(), pelage_fibre_direction_of(v3(11u)));
   put(0u, vec3(far.value[0], far.value[1], far.value[2]));
   put(3u, far.density);
   const float sigma_a[3] = float[3](f(1u), f(2u), f(3u));

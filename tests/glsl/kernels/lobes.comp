@@ -19,8 +19,8 @@ void main() {
   put(2u, pelage_roughness_of_width(f(2u)));
   const pelage_longitudinal_lobe along = pelage_make_longitudinal_lobe(pelage_longitudinal_variance(beta_m));
   put(3u, along.height);
-  const pelage_fibre_direction light = pelage_direction_by_fibre(f(3u), f(5u), f(6u));
-  const pelage_fibre_direction eye = pelage_direction_by_fibre(vec3(f(4u), f(6u), f(5u)));
+  const pelage_fibre_direction light = pelage_fibre_direction_of(f(3u), f(5u), f(6u));
+  const pelage_fibre_direction eye = pelage_fibre_direction_of(vec3(f(4u), f(6u), f(5u)));
   put(4u, light.cosine);
   put(5u, pelage_evaluate_longitudinal(along, light.sine, light.cosine, eye.sine, eye.cosine));
   const pelage_rotation inclination = pelage_sample_longitudinal(along, eye.sine, eye.cosine, f(7u), f(8u));

@@ -43,8 +43,8 @@ precise pelage_width_node pelage_fibre_width_node(int node, int panels);
 
 #endif
 
-/// The average. Only h varies: `eye` and `light` are what they are for the near field. `value` holds f |cos| and
-/// `density` that of sampling after drawing h uniformly.
+/// The average. Only h varies: `eye` and `light` are what they are for the near field. `value` holds f |cos|,
+/// to be multiplied by no further cosine, and `density` that of sampling after drawing h uniformly.
 precise pelage_chiang_result pelage_evaluate_chiang_far(pelage_chiang_fibre fibre, pelage_fibre_direction eye,
                                                         pelage_fibre_direction light);
 

@@ -12,7 +12,7 @@
 
 /// The BSDF itself and its density, as a path tracer wants them.
 struct pelage_chiang_bsdf {
-  vec3 f;         ///< scattering per steradian, divided by |w_i.z|
+  vec3 f;         ///< scattering divided by |w_i.z|, for renderers that multiply by it
   float density;  ///< of pelage_sample_chiang() drawing w_i, per steradian
 };
 
@@ -57,8 +57,8 @@ precise vec3 pelage_detail_draw_chiang_direction(pelage_longitudinal_lobe along,
 // ---------------------------------------------------------------------------------------------------------
 
 precise pelage_chiang_bsdf pelage_evaluate_chiang_bsdf(pelage_chiang_fibre fibre, float h, vec3 w_o, vec3 w_i) {
-  const pelage_chiang_view view = pelage_view_chiang(fibre, h, pelage_direction_by_fibre(w_o));
-  const pelage_chiang_result result = pelage_evaluate_chiang(fibre, view, pelage_direction_by_fibre(w_i));
+  const pelage_chiang_view view = pelage_view_chiang(fibre, h, pelage_fibre_direction_of(w_o));
+  const pelage_chiang_result result = pelage_evaluate_chiang(fibre, view, pelage_fibre_direction_of(w_i));
   const float cosine = pelage_absolute(w_i.z);
   const float divisor = cosine > 0.0 ? cosine : 1.0;
   const vec3 value = vec3(result.value[0], result.value[1], result.value[2]);
@@ -79,7 +79,7 @@ precise pelage_chiang_sample pelage_sample_chiang(pelage_chiang_fibre fibre, pel
     }
   }
   drawn.direction = pelage_detail_draw_chiang_direction(along, fibre.azimuthal, tilted, middle, drawn.lobe == 3u, u);
-  drawn.result = pelage_evaluate_chiang(fibre, view, pelage_direction_by_fibre(drawn.direction));
+  drawn.result = pelage_evaluate_chiang(fibre, view, pelage_fibre_direction_of(drawn.direction));
   return drawn;
 }
 

@@ -17,10 +17,10 @@ struct pelage_fibre_direction {
   float z;       ///< the part across the fibre; (1, 0) stands for a direction along it
 };
 
-/// Takes a unit vector with x along the fibre apart. Its cosine is √(1 - x²), whatever y and z are.
-precise pelage_fibre_direction pelage_direction_by_fibre(float x, float y, float z);
+/// The direction of a unit vector with x along the fibre. Its cosine is √(1 - x²), whatever y and z are.
+precise pelage_fibre_direction pelage_fibre_direction_of(float x, float y, float z);
 
-pelage_fibre_direction pelage_direction_by_fibre(vec3 w);
+pelage_fibre_direction pelage_fibre_direction_of(vec3 w);
 
 /// Light spread along the fibre by a rough cuticle, normalised over the sphere: a von Mises–Fisher distribution seen
 /// by its inclination. Made once per roughness. [d'Eon 2011 §3.1, Eq. 7]
@@ -73,14 +73,14 @@ precise float pelage_versine(pelage_rotation x) {
 
 // ---------------------------------------------------------------------------------------------------------
 
-precise pelage_fibre_direction pelage_direction_by_fibre(float x, float y, float z) {
+precise pelage_fibre_direction pelage_fibre_direction_of(float x, float y, float z) {
   const float length2 = y * y + z * z;
   const float cosine = pelage_square_root(pelage_greatest((1.0 - x) * (1.0 + x), 0.0));
   return pelage_fibre_direction(x, cosine, pelage_select(length2 > 0.0, y, 1.0), pelage_select(length2 > 0.0, z, 0.0));
 }
 
-pelage_fibre_direction pelage_direction_by_fibre(vec3 w) {
-  return pelage_direction_by_fibre(w.x, w.y, w.z);
+pelage_fibre_direction pelage_fibre_direction_of(vec3 w) {
+  return pelage_fibre_direction_of(w.x, w.y, w.z);
 }
 
 precise pelage_longitudinal_lobe pelage_make_longitudinal_lobe(float variance) {

@@ -38,7 +38,7 @@ struct pelage_marschner_parameters {
 struct pelage_marschner_result {
   float longitudinal[3];  ///< M of R, TT, TRT, per radian
   float azimuthal[3][3];  ///< N of R, TT, TRT, each for red, green, blue, per radian
-  float scattering[3];    ///< S for red, green, blue: Σ M N/cos²θ_d
+  float scattering[3];    ///< S for red, green, blue: Σ M N/cos²θ_d; times light · cos θ_i
 };
 
 /// The values that the paper takes for hair: η 1.55, α -0.12 (7°), β 0.13 (7.5°), round, caustic 0.26, 0.5, 1, 0.3.
