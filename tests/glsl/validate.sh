@@ -145,5 +145,10 @@ $head
 #include "pelage/glsl/order/atomic_k_buffer.glsl"
 void main() {}
 END
+said 'an optical depth that is an int' 'ambiguous best function' <<END
+$head
+#include "pelage/glsl/composite/optical_depth.glsl"
+void main() { int optical = 0; float passed = pelage_transmittance_of(optical); }
+END
 ((status)) || echo "${#files[@]} files of the mirror are valid GLSL, alone and together"
 exit $status
