@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   builder.finish(storage);
   law(builder.count <= 2 * steps.size(), "two vertices a fragment suffice");
 
-  const double allowed = std::max(error > 0.0f ? std::min(static_cast<double>(error), 1.0) : 0.0, 1e-5);
+  const double allowed = std::max(error > 0.0f ? std::min(static_cast<double>(error), 1.0) : 0.0, 2e-7);
   float before = 1.0f;
   for (const float depth : look_ups) {
     const float passed = deep_shadow_at(storage, 1u, builder.count, depth);

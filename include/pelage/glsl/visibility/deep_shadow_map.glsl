@@ -36,9 +36,10 @@ precise float pelage_held_depth(float depth) {
 /// vertex to vertex that is nowhere farther than a given error from the truth. [Lokovic & Veach 2000, §4.2]
 ///
 /// The truth at a depth is the product of 1 - alpha over all fragments strictly before it: 1 up to the nearest, and
-/// constant behind the farthest. The result never rises. With an error of 0 it is the truth itself, in 2 vertices a
-/// depth. Begin, pelage_deep_shadow_builder_add() every fragment nearest first, pelage_deep_shadow_builder_finish();
-/// `count` is then the number of vertices, at most 2 a fragment. O(1) a fragment. One thread builds a texel.
+/// constant behind the farthest. The result never rises. With an error of 0 it is the truth itself, within 2e-7 for up
+/// to 2²⁰ fragments, in 2 vertices a depth. Begin, pelage_deep_shadow_builder_add() every fragment nearest first,
+/// pelage_deep_shadow_builder_finish(); `count` is then the number of vertices, at most 2 a fragment. O(1) a fragment.
+/// One thread builds a texel.
 ///
 /// Depths, of look-ups too, are clamped to [-2¹⁰⁰, 2¹⁰⁰], and those nearer to 0 than 2⁻¹⁰⁰ count as 0: no slope
 /// then leaves a float's range.
@@ -46,7 +47,8 @@ struct pelage_deep_shadow_builder {
   uint first;                      ///< of the texel's vertices in the storage
   uint count;                      ///< vertices written so far
   float tolerance;                 ///< the error allowed, less what rounding may add to it
-  float transmittance;             ///< the truth behind all fragments so far
+  float transmittance;             ///< the truth behind all fragments so far, within 2e-7
+  float remainder;                 ///< what the truth is more than that, at most half an ulp of it
   float pending;                   ///< depth of the last fragment
   pelage_deep_shadow_vertex from;  ///< the last vertex written: the line's origin
   float last;                      ///< depth to which the line keeps within the error, >= from.depth
@@ -56,12 +58,12 @@ struct pelage_deep_shadow_builder {
   float greatest_slope;            ///< and the greatest
 };
 
-/// A builder for the vertices from `first` on. `max_error`: [0, 1]; below 1e-6, or NaN: the truth itself.
+/// A builder for the vertices from `first` on. `max_error`: [0, 1], of up to 2²⁰ fragments; below 1e-6, or NaN: as 0.
 precise pelage_deep_shadow_builder pelage_deep_shadow_builder_begin(uint first, float max_error) {
-  // Slopes, their product with a length and the look-up round to less than 1e-6 together.
+  // The truth, slopes, their product with a length and the look-up round to less than 1e-6 together.
   const float tolerance = pelage_saturate(max_error - 1e-6);
-  return pelage_deep_shadow_builder(first, 0u, tolerance, 1.0, 0.0, pelage_deep_shadow_vertex(0.0, 1.0), 0.0, 1.0, 1.0,
-                                    0.0, 0.0);
+  return pelage_deep_shadow_builder(first, 0u, tolerance, 1.0, 0.0, 0.0, pelage_deep_shadow_vertex(0.0, 1.0), 0.0, 1.0,
+                                    1.0, 0.0, 0.0);
 }
 
 /// Adds the next fragment; `depth`: at or behind the last one's; NaN is left out. `alpha`: clamped to [0, 1].
@@ -156,7 +158,14 @@ void pelage_deep_shadow_builder_add(precise inout pelage_deep_shadow_builder sel
     }
   }
   self.pending = held;
-  self.transmittance = self.transmittance * (1.0 - pelage_saturate(alpha));
+  // What a product by an exact factor or a difference loses goes into the remainder.
+  const float stopped = pelage_saturate(alpha);
+  const float passed = 1.0 - stopped;
+  const bool falls_far = stopped > 0.5;  // where the factor is exact
+  const float kept = falls_far ? self.transmittance * passed : self.transmittance;
+  const float change = falls_far ? self.remainder * passed : self.remainder - self.transmittance * stopped;
+  self.transmittance = kept + change;
+  self.remainder = change - (self.transmittance - kept);
 }
 
 void pelage_deep_shadow_builder_pass(precise inout pelage_deep_shadow_builder self, float depth, float truth) {
