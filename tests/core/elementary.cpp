@@ -4,7 +4,9 @@
 
 #include <property.hpp>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -63,6 +65,31 @@ TEST_CASE("angles agree with atan2 all round the circle, whatever the length") {
     }
   }
   CHECK(worst < 2e-7);
+}
+
+TEST_CASE("the angle of any vector is atan2's, however short, long or narrow it is, and that of NaN is NaN") {
+  const auto any_float = [] {
+    return std::bit_cast<float>(*rc::gen::oneOf(
+        rc::gen::arbitrary<std::uint32_t>(),
+        rc::gen::map(rc::gen::inRange(0u, 1u << 25u),
+                     [](std::uint32_t w) { return (w & 0x00ffffffu) | w >> 24u << 31u; }),
+        rc::gen::element(0u, 0x80000000u, 1u, 0x00800000u, 0x7f7fffffu, 0xff7fffffu, 0x7f800000u, 0x7fc00000u)));
+  };
+  test::holds("any bits", [&] {
+    const float x = any_float();
+    const float y = any_float();
+    const double expected = std::abs(std::atan2(static_cast<double>(y), x + 0.0));
+    RC_PRE(!(std::isinf(x) && std::isinf(y)));
+    RC_LOG() << y << " " << x << " " << unsigned_angle(y, x) << " " << expected;
+    if (std::isnan(expected)) {
+      RC_ASSERT(std::isnan(unsigned_angle(y, x)) && std::isnan(angle_of(y, x)));
+      RC_ASSERT(std::isnan(unsigned_angle<double>(y, x)) && std::isnan(angle_of<double>(y, x)));
+    } else {
+      RC_ASSERT(std::abs(unsigned_angle(y, x) - expected) <= 2e-7 * expected + 0x1p-149);
+      RC_ASSERT(angle_of(y, x) == (y < 0.0f ? -unsigned_angle(y, x) : unsigned_angle(y, x)));
+    }
+    RC_ASSERT(std::isnan(angle_of_sine(y)) == std::isnan(y));
+  });
 }
 
 TEST_CASE("the angle of no vector is 0") {

@@ -70,17 +70,18 @@ template <std::floating_point Real>
 template <std::floating_point Real>
 [[nodiscard]] inline Real power_of_share(Real x, Real y) noexcept;
 
-/// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
-/// gives 0. The length of the vector does not matter; NaN gives NaN or any angle. In a shader no part may be
-/// beyond 2¹²⁶ and NaN gives anything.
+/// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float where it
+/// is normal. (0, 0) gives 0, -0 counts as 0. The length of the vector does not matter; NaN gives NaN, as do two
+/// infinities in float. In a shader a vector shorter than 2⁻¹²⁶ and NaN give anything, and no part may be beyond 2¹²⁶.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real unsigned_angle(Real y, Real x) noexcept;
 
-/// atan2(y, x), [-π, π], relative error below 2e-7 in float; (0, 0) gives 0.
+/// atan2(y, x), [-π, π], by unsigned_angle().
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real angle_of(Real y, Real x) noexcept;
 
-/// The angle in [-π/2, π/2] whose sine is x, x clamped to [-1, 1]; relative error below 4e-7 in float.
+/// The angle in [-π/2, π/2] whose sine is x, x clamped to [-1, 1]; relative error below 4e-7 in float where it is
+/// normal. NaN gives NaN, in a shader anything.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real angle_of_sine(Real x) noexcept;
 
@@ -181,7 +182,9 @@ Real unsigned_angle(Real y, Real x) noexcept {
   } else {
     const Real up = absolute(y);
     const Real along = absolute(x);
-    const Real t = least(up, along) / greatest(greatest(up, along), Real(1e-37f));
+    const Real shorter = least(up, along);
+    const Real longer = greatest(along, up);  // NaN in one of both, wherever it comes from
+    const Real t = select(longer > Real(0.0f), shorter / longer, shorter + longer);
     const Real s = t * t;
     const Real q = s * s;
     const Real top = Real(-0.00238699722f) * s + Real(0.0135077713f);

@@ -57,15 +57,16 @@ precise float pelage_natural_logarithm(float x);
 /// xʸ for a base in [0, 1] and an exponent in [0, inf): pelage_power_of_cosine() in float.
 float pelage_power_of_share(float x, float y);
 
-/// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float. (0, 0)
-/// gives 0. The length of the vector does not matter; NaN gives NaN or any angle. In a shader no part may be
-/// beyond 2¹²⁶ and NaN gives anything.
+/// The angle of the vector (x, y) without its sign, [0, π]: |atan2(y, x)|, relative error below 2e-7 in float where it
+/// is normal. (0, 0) gives 0, -0 counts as 0. The length of the vector does not matter; NaN gives NaN, as do two
+/// infinities in float. In a shader a vector shorter than 2⁻¹²⁶ and NaN give anything, and no part may be beyond 2¹²⁶.
 precise float pelage_unsigned_angle(float y, float x);
 
-/// atan2(y, x), [-π, π], relative error below 2e-7 in float; (0, 0) gives 0.
+/// atan2(y, x), [-π, π], by pelage_unsigned_angle().
 precise float pelage_angle_of(float y, float x);
 
-/// The angle in [-π/2, π/2] whose sine is x, x clamped to [-1, 1]; relative error below 4e-7 in float.
+/// The angle in [-π/2, π/2] whose sine is x, x clamped to [-1, 1]; relative error below 4e-7 in float where it is
+/// normal. NaN gives NaN, in a shader anything.
 precise float pelage_angle_of_sine(float x);
 
 /// A point of the unit circle.
@@ -130,7 +131,9 @@ float pelage_power_of_share(float x, float y) {
 precise float pelage_unsigned_angle(float y, float x) {
   const float up = pelage_absolute(y);
   const float along = pelage_absolute(x);
-  const float t = pelage_least(up, along) / pelage_greatest(pelage_greatest(up, along), 1e-37);
+  const float shorter = pelage_least(up, along);
+  const float longer = pelage_greatest(along, up);  // NaN in one of both, wherever it comes from
+  const float t = pelage_select(longer > 0.0, shorter / longer, shorter + longer);
   const float s = t * t;
   const float q = s * s;
   const float top = -0.00238699722 * s + 0.0135077713;
