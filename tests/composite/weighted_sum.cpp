@@ -211,16 +211,37 @@ TEST_CASE("weighted average is sorted blending where all fragments are the same"
   });
 }
 
-TEST_CASE("the average's transmittance is never less than the product, by more than rounding") {
-  holds("any layers", [] {
+/// Up to 2¹⁶ alphas, from 2⁻²⁴ on, alike or not; where they are alike, rounding to units of 2⁻²⁰ adds up.
+std::vector<float> draw_alphas() {
+  std::vector<float> alphas(static_cast<std::size_t>(std::exp2(0.01 * *rc::gen::inRange(0, 1601))));
+  const float mean = std::exp2(-0.01f * static_cast<float>(*rc::gen::inRange(0, 2401)));
+  const bool alike = *rc::gen::arbitrary<bool>();
+  std::minstd_rand random(*rc::gen::arbitrary<std::uint32_t>());
+  std::uniform_real_distribution<float> share;
+  for (float& alpha : alphas) {
+    alpha = alike ? mean : std::min(1.0f, 2.0f * mean * share(random));
+  }
+  return alphas;
+}
+
+TEST_CASE("the average's transmittance is the mean's power, and not less than the product, within 6e-7 a fragment") {
+  holds("any alphas", [] {
+    const std::vector<float> alphas = draw_alphas();
     weighted_average average = weighted_average::empty();
     double passed = 1.0;
-    for (const layer& each : draw_layers()) {
-      average.add(each.alpha, each.colour);
-      passed *= 1.0 - each.alpha;
+    double sum = 0.0;
+    for (const float alpha : alphas) {
+      average.add(alpha, glm::vec3(1.0f));
+      passed *= 1.0 - double{alpha};
+      sum += double{alpha};
     }
-    RC_ASSERT(average.transmittance() >= passed - 2e-5);
-    RC_ASSERT(average.transmittance() <= 1.0f);
+    RC_PRE(sum < 4096.0);
+    const auto n = static_cast<double>(alphas.size());
+    const double found = average.transmittance();
+    RC_LOG() << n << " " << sum << " " << found << " " << passed;
+    RC_ASSERT(std::abs(found - std::pow(1.0 - sum / n, n)) <= 6e-7 * n);
+    RC_ASSERT(found >= passed - 6e-7 * n);
+    RC_ASSERT(found >= 0.0 && found <= 1.0);
   });
 }
 

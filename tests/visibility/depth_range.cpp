@@ -73,13 +73,29 @@ TEST_CASE("the relative depth is 0 up to the nearest, 1 from the farthest on, an
   });
 }
 
-TEST_CASE("the relative depth is linear to a few units in the last place") {
-  holds("two ends and a share", [](std::uint16_t from, std::uint16_t length, std::uint16_t at) {
-    const depth_range range = range_of({static_cast<float>(from), static_cast<float>(from + length + 1)});
-    const float depth = static_cast<float>(from) + static_cast<float>(at % (length + 1));
-    const double exact = (double{depth} - from) / (length + 1.0);
-    RC_ASSERT(std::abs(range.relative(depth) - exact) <= 1.2e-7);
+/// Of either sign, spread evenly over all exponents, denormals included.
+float draw_any_size() {
+  const auto mantissa = static_cast<float>(*rc::gen::inRange(-(1 << 24), (1 << 24) + 1));
+  return std::ldexp(mantissa, *rc::gen::inRange(-149, 105));
+}
+
+TEST_CASE("the relative depth is linear within 5e-7 of itself from 2^-123 behind the nearest on") {
+  holds("two ends and a share", [] {
+    const float from = *rc::gen::arbitrary<bool>() ? draw_any_size() : 0.0f;
+    const float to = *rc::gen::arbitrary<bool>() ? draw_any_size() : from + std::abs(draw_any_size());
+    const double share = std::exp2(-0.1 * *rc::gen::inRange(0, 400));
+    const float depth = static_cast<float>(double{from} + share * (double{to} - double{from}));
+    RC_PRE(from < depth && depth < to && std::isfinite(to));
+    const double exact = (double{depth} - double{from}) / (double{to} - double{from});
+    const float found = range_of({from, to}).relative(depth);
+    RC_LOG() << from << " " << depth << " " << to << " " << found << " " << exact;
+    if (double{depth} - double{from} >= 0x1p-123) {
+      RC_ASSERT(std::abs(found - exact) <= 5e-7 * exact);
+    } else {
+      RC_ASSERT(found >= 0.0f && found <= 1.0f);
+    }
   });
+  CHECK(range_of({0.0f, 0x1p-147f}).relative(0x1p-148f) == 0.0f);
 }
 
 TEST_CASE("a range from one end of float to the other has a middle") {

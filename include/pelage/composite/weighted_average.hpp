@@ -14,8 +14,8 @@ namespace pelage::inline PELAGE_ABI {
 /// All fragments of a pixel as n equal ones of their mean colour and mean alpha. [Bavoil & Myers 2008, §4]
 ///
 /// Keeps the alpha-weighted mean colour, the mean alpha and the number; drops the order, and takes (1 - mean)ⁿ for
-/// the product of transmittances, which is never less than the truth. Integer sums: any order of fragments gives the
-/// same bits. 24 bytes.
+/// the product of transmittances, which is less than the truth by rounding alone: at most n · 6e-7, since each alpha is
+/// rounded by up to 2⁻²¹. Integer sums: any order of fragments gives the same bits. 24 bytes.
 struct weighted_average {
   tail sums;            ///< as add_fragment() leaves it
   std::uint32_t count;  ///< fragments, stops at 2³² - 1
@@ -35,7 +35,7 @@ struct weighted_average {
     count = add_saturating(count, other.count);
   }
 
-  /// What passes all fragments, [0, 1]: (1 - Σ α / n)ⁿ; 1 when there are none.
+  /// What passes all fragments, [0, 1]: (1 - Σ α / n)ⁿ, within n · 6e-7 for Σ α < 4096; 1 when there are none.
   [[nodiscard]] constexpr float transmittance() const noexcept {
     if (count == 0u) {
       return 1.0f;

@@ -134,7 +134,7 @@ lanes<W> packed_left(std::uint32_t set, lanes<W> x) noexcept {
     return lanes<W>(typename lanes<W>::vector(_mm512_maskz_compress_ps(static_cast<__mmask16>(set), __m512(x.lane))));
   }
 #endif
-#if defined(__AVX2__) && defined(__BMI2__)
+#if defined(__AVX2__) && defined(__BMI2__) && defined(__x86_64__)
   if constexpr (W == 8) {
     const std::uint64_t bytes = _pdep_u64(set, 0x0101010101010101u) * 0xffu;
     const std::uint64_t order = _pext_u64(0x0706050403020100u, bytes);

@@ -52,8 +52,10 @@ struct depth_range {
   /// The greatest depth, finite; 0 while empty.
   [[nodiscard]] constexpr float farthest_depth() const noexcept { return is_empty() ? 0.0f : depth_from_key(farthest); }
 
-  /// Where a depth lies in the range: exactly 0 up to the nearest, exactly 1 from the farthest on, linear between;
-  /// never falls as depth grows. A range of one point: 0 up to and at it, 1 behind. An empty range, or NaN: 0.
+  /// Where a depth lies in the range: exactly 0 up to the nearest, exactly 1 from the farthest on, linear between
+  /// within 5e-7 of itself; never falls as depth grows. Less than 2⁻¹²³ behind the nearest, where its eighth is
+  /// denormal: 0, or as coarse as denormals are. A range of one point: 0 up to and at it, 1 behind. An empty range, or
+  /// NaN: 0.
   [[nodiscard]] constexpr float relative(float depth) const noexcept {
     const float from = nearest_depth();
     const float to = farthest_depth();

@@ -10,8 +10,8 @@
 /// All fragments of a pixel as n equal ones of their mean colour and mean alpha. [Bavoil & Myers 2008, §4]
 ///
 /// Keeps the alpha-weighted mean colour, the mean alpha and the number; drops the order, and takes (1 - mean)ⁿ for
-/// the product of transmittances, which is never less than the truth. Integer sums: any order of fragments gives the
-/// same bits. 24 bytes.
+/// the product of transmittances, which is less than the truth by rounding alone: at most n · 6e-7, since each alpha is
+/// rounded by up to 2⁻²¹. Integer sums: any order of fragments gives the same bits. 24 bytes.
 struct pelage_weighted_average {
   pelage_tail sums;  ///< as pelage_add_fragment() leaves it
   uint count;        ///< fragments, stops at 2³² - 1
@@ -34,7 +34,7 @@ void pelage_weighted_average_merge(inout pelage_weighted_average self, pelage_we
   self.count = pelage_add_saturating(self.count, other.count);
 }
 
-/// What passes all fragments, [0, 1]: (1 - Σ α / n)ⁿ; 1 when there are none.
+/// What passes all fragments, [0, 1]: (1 - Σ α / n)ⁿ, within n · 6e-7 for Σ α < 4096; 1 when there are none.
 precise float pelage_weighted_average_transmittance(pelage_weighted_average self) {
   if (self.count == 0u) {
     return 1.0;

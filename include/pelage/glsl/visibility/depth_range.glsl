@@ -56,8 +56,10 @@ float pelage_depth_range_farthest_depth(pelage_depth_range self) {
   return pelage_depth_range_is_empty(self) ? 0.0 : pelage_depth_from_key(self.farthest);
 }
 
-/// Where a depth lies in the range: exactly 0 up to the nearest, exactly 1 from the farthest on, linear between;
-/// never falls as depth grows. A range of one point: 0 up to and at it, 1 behind. An empty range, or NaN: 0.
+/// Where a depth lies in the range: exactly 0 up to the nearest, exactly 1 from the farthest on, linear between
+/// within 5e-7 of itself; never falls as depth grows. Less than 2⁻¹²³ behind the nearest, where its eighth is
+/// denormal: 0, or as coarse as denormals are. A range of one point: 0 up to and at it, 1 behind. An empty range, or
+/// NaN: 0.
 precise float pelage_depth_range_relative(pelage_depth_range self, float depth) {
   const float from = pelage_depth_range_nearest_depth(self);
   const float to = pelage_depth_range_farthest_depth(self);
