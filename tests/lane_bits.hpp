@@ -50,4 +50,28 @@ bool same_bits_at_every_width(Draw draw, Function function) {
   return same_bits<4>(draw, function) && same_bits<8>(draw, function) && same_bits<16>(draw, function);
 }
 
+template <int W>
+using values = std::array<float, W>;
+
+/// Of either sign and any magnitude, now and then 0, so that cases meet at random in one vector.
+inline float any_value() {
+  const auto exponent = static_cast<float>(*rc::gen::inRange(-6, 5));
+  const auto mantissa = static_cast<float>(*rc::gen::inRange(-1000, 1001)) / 1000.0f;
+  return mantissa * std::exp2(exponent);
+}
+
+template <int W>
+values<W> any_values() {
+  values<W> all;
+  for (float& one : all) {
+    one = any_value();
+  }
+  return all;
+}
+
+/// -0 counts as 0: the sign of a zero is not part of the kernels' promise.
+inline bool same_value(float a, float b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
 }  // namespace pelage::test

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <pelage/core/math.hpp>
 
+#include "lane_bits.hpp"
 #include "property.hpp"
 #include "sweep.hpp"
 
@@ -124,6 +125,20 @@ TEST_CASE("saturate holds to [0, 1]") {
   CHECK(saturate(nan) == 0.0f);
   CHECK(saturate(-inf) == 0.0f);
   CHECK(saturate(inf) == 1.0f);
+}
+
+TEST_CASE("functions of lanes are those of floats, bit for bit, whatever the float") {
+  CHECK(same_bits_at_every_width(any_bits, [](auto x, auto) { return saturate(x); }));
+  CHECK(same_bits_at_every_width(any_bits, [](auto x, auto) { return fast_log2(x); }));
+  CHECK(same_bits_at_every_width(any_bits, [](auto x, auto) { return fast_exp2(x); }));
+  CHECK(same_bits_at_every_width(any_bits, [](auto x, auto y) { return power_of_cosine(x, y); }));
+}
+
+TEST_CASE("functions of lanes are those of floats where they are not extreme") {
+  CHECK(same_bits_at_every_width(floats_in(0.0F, 2.0F), [](auto x, auto) { return fast_log2(x); }));
+  CHECK(same_bits_at_every_width(floats_in(-130.0F, 130.0F), [](auto x, auto) { return fast_exp2(x); }));
+  CHECK(same_bits_at_every_width(floats_in(0.0F, 1.0F),
+                                 [](auto x, auto y) { return power_of_cosine(x, decltype(y)(60.0f) * y); }));
 }
 
 }  // namespace pelage::test

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "lane_bits.hpp"
 #include "property.hpp"
 
 namespace pelage::test {
@@ -60,6 +61,17 @@ TEST_CASE("A unit vector has length 1 and its vector's direction; that of 0 is N
     RC_ASSERT(vector_length(cross_product(unit, glm::dvec3(a))) < 3e-7 * vector_length(glm::dvec3(a)));
   });
   CHECK(std::isnan(unit_vector(glm::vec3(0.0f)).x));
+}
+
+TEST_CASE("products of lanes are those of vectors, bit for bit") {
+  const auto vectors = [](auto x, auto y) {
+    using vector = glm::vec<3, decltype(x), glm::defaultp>;
+    const vector a(x, y, x * y);
+    const vector b(y + x, x - y, x);
+    const vector c = cross_product(a, b) + unit_vector(a);
+    return (c.x + c.y) * c.z + dot_product(a, b) + vector_length(b);
+  };
+  CHECK(same_bits_at_every_width(floats_in(-10.0F, 10.0F), vectors));
 }
 
 }  // namespace pelage::test

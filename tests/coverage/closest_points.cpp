@@ -1,7 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
+#include <pelage/core/lanes.hpp>
 #include <pelage/coverage/closest_points.hpp>
 
+#include "lane_bits.hpp"
 #include "property.hpp"
 #include "sweep.hpp"
 
@@ -242,6 +244,49 @@ TEST_CASE("NaN anywhere gives a NaN depth and distance, and a place on the segme
     CHECK(std::isnan(pair.distance));
     CHECK((pair.along_segment >= 0.0f && pair.along_segment <= 1.0f));
   }
+}
+
+template <int W>
+struct any_points {
+  values<W> x = any_values<W>(), y = any_values<W>(), z = any_values<W>();
+
+  [[nodiscard]] lane_vector<W> packed() const {
+    return {lanes<W>::load(x.data()), lanes<W>::load(y.data()), lanes<W>::load(z.data())};
+  }
+  [[nodiscard]] glm::vec3 at(std::size_t k) const { return {x[k], y[k], z[k]}; }
+};
+
+template <int W>
+void check_closest_points() {
+  const any_points<W> origin, direction, start;
+  any_points<W> end;
+  const auto special = static_cast<std::size_t>(*rc::gen::inRange(0, W));
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0:  // a point
+      end.x[special] = start.x[special], end.y[special] = start.y[special], end.z[special] = start.z[special];
+      break;
+    case 1:  // along the ray
+      end.x[special] = start.x[special] + direction.x[special];
+      end.y[special] = start.y[special] + direction.y[special];
+      end.z[special] = start.z[special] + direction.z[special];
+      break;
+    default:
+      break;
+  }
+  const closest_pair<lanes<W>> found =
+      closest_points(origin.packed(), direction.packed(), start.packed(), end.packed());
+  for (std::size_t k = 0; k < W; ++k) {
+    const closest_pair<float> alone = closest_points(origin.at(k), direction.at(k), start.at(k), end.at(k));
+    RC_ASSERT(same_value(found.along_ray.lane[k], alone.along_ray));
+    RC_ASSERT(same_value(found.along_segment.lane[k], alone.along_segment));
+    RC_ASSERT(same_value(found.distance.lane[k], alone.distance));
+  }
+}
+
+TEST_CASE("closest points of lanes are those of the kernel, bit for bit") {
+  holds("4 lanes", check_closest_points<4>);
+  holds("8 lanes", check_closest_points<8>);
+  holds("16 lanes", check_closest_points<16>);
 }
 
 }  // namespace pelage::test

@@ -1,12 +1,15 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
+#include <pelage/core/lanes.hpp>
 #include <pelage/coverage/disc_strip.hpp>
 
+#include "lane_bits.hpp"
 #include "property.hpp"
 #include "sweep.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -190,6 +193,36 @@ TEST_CASE("a cap's height is clamped to [0, 2], and NaN has no share") {
   for (const float height : {2.0f, 3.0f, inf}) {
     CHECK(cap_share(height) == 1.0f);
   }
+}
+
+template <int W>
+void check_shares() {
+  values<W> offset = any_values<W>();
+  values<W> fibre = any_values<W>();
+  values<W> disc = any_values<W>();
+  for (std::size_t k = 0; k < W; ++k) {  // most as a renderer has them; the rest keep their signs
+    if (*rc::gen::inRange(0, 8) != 0) {
+      disc[k] = std::abs(disc[k]);
+      fibre[k] = disc[k] * std::exp2(static_cast<float>(*rc::gen::inRange(-40, 20)) / 8.0f);
+      offset[k] = (disc[k] + fibre[k]) * static_cast<float>(*rc::gen::inRange(-1100, 1101)) / 1000.0f;
+    }
+  }
+  for (values<W>* one : {&offset, &fibre, &disc}) {
+    const auto k = static_cast<std::size_t>(*rc::gen::inRange(0, W));
+    (*one)[k] = *rc::gen::element((*one)[k], 0.0f, inf, nan);
+  }
+  const lanes<W> found =
+      disc_strip_share(lanes<W>::load(offset.data()), lanes<W>::load(fibre.data()), lanes<W>::load(disc.data()));
+  for (std::size_t k = 0; k < W; ++k) {
+    RC_LOG() << offset[k] << " " << fibre[k] << " " << disc[k];
+    RC_ASSERT(same_value(found.lane[k], disc_strip_share(offset[k], fibre[k], disc[k])));
+  }
+}
+
+TEST_CASE("shares of lanes are those of the kernel, bit for bit, and so is what no fibre has") {
+  holds("4 lanes", check_shares<4>);
+  holds("8 lanes", check_shares<8>);
+  holds("16 lanes", check_shares<16>);
 }
 
 }  // namespace pelage::test
