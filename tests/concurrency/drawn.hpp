@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/explore/schedule.hpp>
 #include "concurrency/inserts.hpp"
-#include "concurrency/schedule.hpp"
 #include "concurrency/structures.hpp"
 #include "property.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "concurrency/explore.hpp"
+#include <pelage/explore/explore.hpp>
 
 #include <doctest/doctest.h>
 

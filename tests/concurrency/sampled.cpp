@@ -3,7 +3,7 @@
 //
 // Workloads and schedules that rapidcheck draws and shrinks, larger than what can be explored whole; bounded searches
 // of such workloads; and schedules as strings.
-#include "concurrency/bounded.hpp"
+#include <pelage/explore/bounded.hpp>
 #include "concurrency/drawn.hpp"
 #include "concurrency/report.hpp"
 

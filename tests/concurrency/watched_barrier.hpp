@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "concurrency/watched.hpp"
+#include <pelage/explore/watched.hpp>
 
 #include <cstdint>
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <pelage/core/atomic_cells.hpp>
 
-#include "concurrency/watched.hpp"
+#include <pelage/explore/watched.hpp>
 
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 #pragma once
 #include <pelage/order/list_storage.hpp>
 
-#include "concurrency/watched.hpp"
+#include <pelage/explore/watched.hpp>
 
 #include <cstdint>
 #include <sstream>

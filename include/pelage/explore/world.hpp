@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "concurrency/fiber.hpp"
-#include "concurrency/memory.hpp"
-#include "concurrency/operation.hpp"
+#include <pelage/explore/fiber.hpp>
+#include <pelage/explore/memory.hpp>
+#include <pelage/explore/operation.hpp>
 
 #include <array>
 #include <cstdint>

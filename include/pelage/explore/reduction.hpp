@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "concurrency/world.hpp"
+#include <pelage/explore/world.hpp>
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The memory model against the litmus tests of the literature: what C++ allows is reached, what it forbids is not.
-#include "concurrency/bodies.hpp"
-#include "concurrency/explore.hpp"
+#include <pelage/explore/explore.hpp>
+#include "explore/bodies.hpp"
 
 #include <doctest/doctest.h>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // How to test a structure of your own, from its first line to a planted fault. The README shows this file.
-#include "concurrency/explore.hpp"
-#include "concurrency/watched.hpp"
+#include <pelage/explore/explore.hpp>
+#include <pelage/explore/watched.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "concurrency/operation.hpp"
+#include <pelage/explore/operation.hpp>
 
 #include <algorithm>
 #include <array>

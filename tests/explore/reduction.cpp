@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // The searches against the plainest one, which runs every schedule, on programs that rapidcheck draws.
-#include "concurrency/reduction.hpp"
+#include <pelage/explore/reduction.hpp>
 
-#include "concurrency/bounded.hpp"
-#include "concurrency/explore.hpp"
-#include "concurrency/watched.hpp"
+#include <pelage/explore/bounded.hpp>
+#include <pelage/explore/explore.hpp>
+#include <pelage/explore/watched.hpp>
 #include "property.hpp"
 
 #include <array>

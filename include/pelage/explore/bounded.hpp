@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "concurrency/explore.hpp"
-#include "concurrency/schedule.hpp"
+#include <pelage/explore/explore.hpp>
+#include <pelage/explore/schedule.hpp>
 
 #include <span>
 #include <vector>

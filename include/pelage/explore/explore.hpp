@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "concurrency/reduction.hpp"
-#include "concurrency/world.hpp"
+#include <pelage/explore/reduction.hpp>
+#include <pelage/explore/world.hpp>
 
 #include <algorithm>
 #include <cstdint>
