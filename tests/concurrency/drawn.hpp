@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/explore/schedule.hpp>
+
 #include "concurrency/inserts.hpp"
 #include "concurrency/structures.hpp"
 #include "property.hpp"

@@ -77,12 +77,13 @@ findings explore_patterns(std::string_view name, std::size_t threads, std::size_
       sum.all = sum.all && f.all;
       sum.fault = f.fault;
       sum.schedule = f.schedule;
+      sum.trace = f.trace;
     }
     return sum;
   });
   std::cout << "  " << (all.size() + stride - 1) / stride << " of " << all.size()
             << " patterns; an operation completes within every " << total.longest_wait << " steps" << std::endl;
-  CHECK_MESSAGE(total.fault.empty(), name, ": ", total.fault, " [", total.schedule, "]");
+  CHECK_MESSAGE(total.fault.empty(), name, ": ", total);
   CHECK(total.all);
   return total;
 }

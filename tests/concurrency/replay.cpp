@@ -8,6 +8,7 @@
 // The string is what a failing test prints: the structure, what each thread inserts as depth:id, and the schedule: a
 // letter a step for the thread that takes it, and a number behind it where it reads an older store than the latest.
 #include <pelage/explore/schedule.hpp>
+
 #include "concurrency/inserts.hpp"
 #include "concurrency/structures.hpp"
 
@@ -42,10 +43,11 @@ int main(int count, char** arguments) {
   if (!work) {
     return wrong("inserts are depth:id, fragments separated by commas, threads by slashes");
   }
-  const bool is_schedule = std::all_of(
-      text.begin(), text.end(), [](char c) { return (c >= 'a' && c < 'a' + max_threads) || (c >= '0' && c <= '9'); });
+  const bool is_schedule = std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c < 'a' + max_threads) || (c >= '0' && c <= '9') || c == '!';
+  });
   if (!is_schedule || work->size() + 1 > max_threads) {
-    return wrong("a schedule is letters of threads, each with a number behind it or none");
+    return wrong("a schedule is letters of threads, each with a number and a ! behind it or none");
   }
   return replay(tested->test(*work), text, std::cout) ? 0 : 1;
 }

@@ -18,14 +18,14 @@ findings report(std::string_view name, Search run) {
   const auto start = std::chrono::steady_clock::now();
   const findings f = run();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  std::cout << name << ": " << f << ", " << took.count() << " s" << std::endl;
+  std::cout << name << ": " << summary(f) << ", " << took.count() << " s" << std::endl;
   return f;
 }
 
 /// The whole space of a correct program holds no fault.
 inline findings expect_sound(std::string_view name, const program_factory& make) {
   const findings f = report(name, [&] { return explore_all(make); });
-  CHECK_MESSAGE(f.fault.empty(), name, ": ", f.fault, " [", f.schedule, "]");
+  CHECK_MESSAGE(f.fault.empty(), name, ": ", f);
   CHECK_MESSAGE(f.all, name, ": not everything was explored");
   return f;
 }

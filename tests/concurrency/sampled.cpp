@@ -4,6 +4,7 @@
 // Workloads and schedules that rapidcheck draws and shrinks, larger than what can be explored whole; bounded searches
 // of such workloads; and schedules as strings.
 #include <pelage/explore/bounded.hpp>
+
 #include "concurrency/drawn.hpp"
 #include "concurrency/report.hpp"
 
@@ -91,7 +92,7 @@ TEST_CASE("larger cases hold under every schedule of few surprises") {
     const int surprises = name == "ordered_list" ? 1 : 2;  // its reader makes it the longest
     const findings f = report(std::string(name) + " 2+3+2+1, surprises: " + std::to_string(surprises),
                               [&] { return explore_bounded(named(name).test(eight), surprises); });
-    CHECK_MESSAGE(f.fault.empty(), name, ": ", f.fault, " [", f.schedule, "]");
+    CHECK_MESSAGE(f.fault.empty(), name, ": ", f);
     CHECK(f.all);
   }
 }

@@ -29,7 +29,7 @@ struct one_pass {
 };
 
 /// The same of a two_pass_k_buffer.
-template <std::uint32_t K, class Storage = watched_split_slots>
+template <std::uint32_t K, class Storage = watched_depths_and_ids>
 struct two_passes {
   using storage = Storage;
   static constexpr std::uint32_t slots = K;

@@ -96,11 +96,11 @@ struct passes_nothing_over : watched_slots {
 };
 
 /// Second pass: a slot goes to the id that comes first.
-struct ids_by_arrival : watched_split_slots {
-  using watched_split_slots::watched_split_slots;
+struct ids_by_arrival : watched_depths_and_ids {
+  using watched_depths_and_ids::watched_depths_and_ids;
   std::uint32_t fetch_min(std::uint32_t n, std::uint32_t id, order o) {
     if (!is_id(n)) {
-      return watched_split_slots::fetch_min(n, id, o);
+      return watched_depths_and_ids::fetch_min(n, id, o);
     }
     std::uint32_t held = no_fragment().id;
     return cell(n).compare_exchange_strong(held, id, o, relaxed) ? held : id;
@@ -109,11 +109,11 @@ struct ids_by_arrival : watched_split_slots {
 
 /// A minimum in two steps, in the first pass or in the second one.
 template <bool Ids>
-struct split_minimum_in_two_steps : watched_split_slots {
-  using watched_split_slots::watched_split_slots;
+struct half_minimum_in_two_steps : watched_depths_and_ids {
+  using watched_depths_and_ids::watched_depths_and_ids;
   std::uint32_t fetch_min(std::uint32_t n, std::uint32_t value, order o) {
     if (is_id(n) != Ids) {
-      return watched_split_slots::fetch_min(n, value, o);
+      return watched_depths_and_ids::fetch_min(n, value, o);
     }
     const std::uint32_t held = load(n, o);
     cell(n).store(std::min(held, value), o);
@@ -173,16 +173,17 @@ TEST_CASE("atomic_k_buffer: each fault is found") {
 }
 
 TEST_CASE("two_pass_k_buffer: each fault is found") {
-  found_in_two_passes<split_minimum_in_two_steps<false>>("(2) a minimum in two steps", "the slots are not");
-  found_in_two_passes<split_minimum_in_two_steps<true>>("(4) a minimum in two steps", "the slots are not");
+  found_in_two_passes<half_minimum_in_two_steps<false>>("(2) a minimum in two steps", "the slots are not");
+  found_in_two_passes<half_minimum_in_two_steps<true>>("(4) a minimum in two steps", "the slots are not");
   found_in_two_passes<ids_by_arrival>("(4) ids go by arrival", "the slots are not");
-  found_in_two_passes<watched_split_slots, missing_barrier>("(3) no barrier between the passes", "the slots are not");
-  found_in_two_passes<watched_split_slots, barrier_arriving_relaxed>("(3) that barrier arrives relaxed",
-                                                                     "the slots are not");
-  found_in_two_passes<watched_split_slots, barrier_waiting_relaxed>("(3) that barrier waits relaxed",
-                                                                    "the slots are not");
-  found_in_two_passes<watched_split_slots, sound_barrier, missing_barrier>("(5) no barrier before the reader",
-                                                                           "the slots are not", true);
+  found_in_two_passes<watched_depths_and_ids, missing_barrier>("(3) no barrier between the passes",
+                                                               "the slots are not");
+  found_in_two_passes<watched_depths_and_ids, barrier_arriving_relaxed>("(3) that barrier arrives relaxed",
+                                                                        "the slots are not");
+  found_in_two_passes<watched_depths_and_ids, barrier_waiting_relaxed>("(3) that barrier waits relaxed",
+                                                                       "the slots are not");
+  found_in_two_passes<watched_depths_and_ids, sound_barrier, missing_barrier>("(5) no barrier before the reader",
+                                                                              "the slots are not", true);
 }
 
 TEST_CASE("correct variants of the slots are not reported") {

@@ -41,9 +41,9 @@ struct watched_exchanged_slots : watched_slots {
 };
 
 /// The cells of a two_pass_k_buffer's pixel.
-class watched_split_slots : public watched_cells<std::uint32_t> {
+class watched_depths_and_ids : public watched_cells<std::uint32_t> {
  public:
-  explicit watched_split_slots(std::uint32_t count) {
+  explicit watched_depths_and_ids(std::uint32_t count) {
     add_cells(count, "depth", 0xffffffffu);
     add_cells(count, "id", no_fragment().id);
   }

@@ -7,6 +7,7 @@
 #include <pelage/explore/bounded.hpp>
 #include <pelage/explore/explore.hpp>
 #include <pelage/explore/watched.hpp>
+
 #include "property.hpp"
 
 #include <array>
@@ -26,11 +27,13 @@ struct step {
   int cell;
   std::memory_order order;
   unsigned operand;
+  bool weak;
 };
 using steps = std::vector<std::vector<step>>;
 
 std::ostream& operator<<(std::ostream& out, const step& s) {
-  return out << name_of(s.kind) << ' ' << s.cell << ' ' << name_of(s.order) << ' ' << s.operand;
+  return out << name_of(s.kind) << ' ' << s.cell << ' ' << name_of(s.order) << ' ' << s.operand
+             << (s.weak ? " weak" : "");
 }
 
 /// Runs such steps, and writes down which class of equivalent schedules this was: what each thread read, and the
@@ -59,7 +62,8 @@ class drawn_program : public program {
           break;
         default: {
           unsigned expected = s.operand;
-          cell.compare_exchange_strong(expected, s.operand + 1u, s.order, std::memory_order_relaxed);
+          (void)(s.weak ? cell.compare_exchange_weak(expected, s.operand + 1u, s.order, std::memory_order_relaxed)
+                        : cell.compare_exchange_strong(expected, s.operand + 1u, s.order, std::memory_order_relaxed));
         }
       }
     }
@@ -98,15 +102,16 @@ rc::Gen<step> any_step() {
   const auto kind = rc::gen::element(operation_kind::load, operation_kind::store, operation_kind::add,
                                      operation_kind::compare_exchange, operation_kind::fence);
   return rc::gen::map(
-      rc::gen::tuple(kind, rc::gen::inRange(0, 2), rc::gen::inRange(0, 5), rc::gen::inRange(0u, 3u)),
-      [](const std::tuple<operation_kind, int, int, unsigned>& drawn) {
-        const auto [kind, cell, order, operand] = drawn;
+      rc::gen::tuple(kind, rc::gen::inRange(0, 2), rc::gen::inRange(0, 5), rc::gen::inRange(0u, 3u),
+                     rc::gen::arbitrary<bool>()),
+      [](const std::tuple<operation_kind, int, int, unsigned, bool>& drawn) {
+        const auto [kind, cell, order, operand, weak] = drawn;
         constexpr std::array orders = {std::memory_order_relaxed, std::memory_order_relaxed, std::memory_order_acquire,
                                        std::memory_order_release, std::memory_order_seq_cst};
         std::memory_order o = orders[static_cast<std::size_t>(order)];
         o = kind == operation_kind::load && o == std::memory_order_release ? std::memory_order_acquire : o;
         o = kind == operation_kind::store && o == std::memory_order_acquire ? std::memory_order_release : o;
-        return step{kind, cell, o, operand};
+        return step{kind, cell, o, operand, weak && kind == operation_kind::compare_exchange};
       });
 }
 

@@ -10,8 +10,9 @@
 namespace pelage::explore {
 
 /// Every schedule with few surprises, for programs too large to explore whole. A surprise is what a run on one
-/// processor would not do by itself: taking control from a thread that could go on, and letting a thread read a
-/// store that is not the latest. Most faults need two or three. [Musuvathi07 §4, with old stores counted as well]
+/// processor would not do by itself: taking control from a thread that could go on, letting a thread read a store
+/// that is not the latest, and letting a weak compare-exchange fail without reason. Most faults need two or three.
+/// [Musuvathi07 §4, with old stores counted as well]
 class bounded : public strategy {
  public:
   explicit bounded(int surprises) : surprises_(surprises) {}
@@ -56,7 +57,7 @@ inline bool bounded::choose(std::span<const action> ways, action& chosen) {
     }
     for (const action& way : ways) {
       const bool takes_control = could_go_on && way.thread != last_thread_;
-      const int cost = (takes_control ? 1 : 0) + (way.age > 0 ? 1 : 0);
+      const int cost = (takes_control ? 1 : 0) + (way.age > 0 ? 1 : 0) + (way.spurious ? 1 : 0);
       if (spent_ + cost <= surprises_) {
         n.ways.push_back(way);
         n.costs.push_back(cost);

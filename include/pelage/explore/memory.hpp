@@ -39,8 +39,9 @@ struct message {
 /// hidden, and which one is a choice of the explorer. [Kang17 §2, without promises]
 ///
 /// A read-modify-write takes the latest store; a compare-exchange that fails may have read any store that is not
-/// hidden and differs from what it expected. seq_cst operations also join one common view before and after, which
-/// is at least as strong as C++ asks.
+/// hidden and differs from what it expected. A weak one may also fail on a store that does not differ, but not twice
+/// in a row in one thread, or a loop around it would have no last schedule. seq_cst operations also join one common
+/// view before and after, which is at least as strong as C++ asks.
 ///
 /// Not modelled, hence not found: modification orders that contradict the order of execution (2+2W) and loads of
 /// stores that run later (load buffering). Compilers and processors that the library knows of show neither between
@@ -97,9 +98,10 @@ class memory {
     std::vector<message> stores;
   };
   struct thread_state {
-    view current;   ///< what happens before the thread's next step
-    view acquired;  ///< what an acquire fence would add: the views of all stores read
-    view released;  ///< current at the last release fence: what relaxed stores pass on
+    view current;                    ///< what happens before the thread's next step
+    view acquired;                   ///< what an acquire fence would add: the views of all stores read
+    view released;                   ///< current at the last release fence: what relaxed stores pass on
+    bool failed_spuriously = false;  ///< its last compare-exchange
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -133,7 +135,7 @@ inline std::int16_t memory::add_location(std::string_view name, std::uint64_t va
 }
 
 inline void memory::add_ways(int thread, const operation& op, std::vector<action>& ways) const {
-  action way{static_cast<std::int8_t>(thread), always_writes(op.kind), is_total(op), op.location, 0, 0};
+  action way{static_cast<std::int8_t>(thread), always_writes(op.kind), is_total(op), false, op.location, 0, 0};
   const bool chooses = op.kind == operation_kind::load || op.kind == operation_kind::await ||
                        op.kind == operation_kind::compare_exchange;
   if (!chooses) {
@@ -152,8 +154,16 @@ inline void memory::add_ways(int thread, const operation& op, std::vector<action
     way.age = last - store;
     if (op.kind == operation_kind::compare_exchange) {
       way.writes = store == last && value == op.expected;
-      if (!way.writes && value == op.expected) {
-        continue;  // a strong one does not fail without reason
+      way.spurious = false;
+      if (value == op.expected) {
+        if (way.writes) {
+          ways.push_back(way);
+        }
+        if (!op.weak || threads_[index(thread)].failed_spuriously) {
+          continue;
+        }
+        way.writes = false;
+        way.spurious = true;
       }
     } else if (op.kind == operation_kind::await && value != op.operand) {
       continue;
@@ -228,6 +238,9 @@ inline std::uint64_t memory::perform(const operation& op, const action& way, std
     const std::vector<message>& stores = locations_[index(op.location)].stores;
     const std::size_t store = takes_latest ? stores.size() - 1 : index(way.store);
     const bool failed = op.kind == operation_kind::compare_exchange && !way.writes;
+    if (op.kind == operation_kind::compare_exchange) {
+      t.failed_spuriously = way.spurious;
+    }
     value = read(t, op.location, store, failed ? op.failure_order : op.order);
     if (way.writes) {
       const view continued = stores[store].released;

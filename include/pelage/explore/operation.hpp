@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 namespace pelage::explore {
 
 inline constexpr int max_threads = 8;
-inline constexpr int max_locations = 64;
+inline constexpr int max_locations = 64;  ///< atomics of a program
+inline constexpr std::size_t longest_schedule = 65534;
 
 /// What a logical thread is about to do where the scheduler may hand control to another.
 enum class operation_kind : std::uint8_t {
@@ -33,6 +35,7 @@ struct operation {
   std::memory_order failure_order;  ///< of a compare-exchange that finds something else
   std::uint64_t operand;            ///< stored, added, compared with for minimum, maximum and await
   std::uint64_t expected;           ///< of a compare-exchange
+  bool weak = false;                ///< a compare-exchange that may fail without reason
 };
 
 /// One way to go on: which thread, and which of the stores that it may read. Equal numbers mean the same way for as
@@ -41,13 +44,14 @@ struct action {
   std::int8_t thread;
   bool writes;            ///< takes a place in the cell's modification order
   bool total;             ///< takes a place in the order of all seq_cst operations
+  bool spurious;          ///< a weak compare-exchange that fails though it finds what it expects
   std::int16_t location;  ///< -1 for fences and joins
   std::int32_t store;     ///< the place in the cell's modification order that is read; 0 where nothing is chosen
   std::int32_t age;       ///< how many stores older than the latest that is
 };
 
 constexpr bool same_way(const action& a, const action& b) {
-  return a.thread == b.thread && a.store == b.store;
+  return a.thread == b.thread && a.store == b.store && a.writes == b.writes;
 }
 
 /// True if the two, of different threads, end in the same state in either order. A load of a store that is there

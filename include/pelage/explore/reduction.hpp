@@ -29,9 +29,6 @@ class reduction : public strategy {
   /// Prepares the next schedule; false when all have run.
   bool next();
 
-  /// The choices of the schedule that ran last, in order.
-  [[nodiscard]] std::vector<action> path() const;
-
  private:
   using clock = std::array<std::uint16_t, max_threads>;
 
@@ -238,14 +235,6 @@ inline bool reduction::next() {
     }
   }
   return false;
-}
-
-inline std::vector<action> reduction::path() const {
-  std::vector<action> all;
-  for (const footprint& step : steps_) {
-    all.push_back(step.way);
-  }
-  return all;
 }
 
 }  // namespace pelage::explore

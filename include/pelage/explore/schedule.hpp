@@ -1,16 +1,19 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/explore/explore.hpp>
+#include <pelage/explore/world.hpp>
 
+#include <algorithm>
 #include <cstdint>
-#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace pelage::explore {
+
+/// A schedule as a string: the letter of the thread for each step, followed by a number where it read an older
+/// store than the latest: how many stores older; and by a ! where a weak compare-exchange failed without reason.
+std::string to_string(const world& w);
 
 /// The thread that ran last, on the latest store that it may read; another one where that one cannot go on.
 inline action go_on(std::span<const action> ways, int last_thread) {
@@ -31,9 +34,9 @@ class scripted : public strategy {
   bool choose(std::span<const action> ways, action& chosen) override {
     chosen = go_on(ways, last_thread_);
     for (bool found = false; !found && at_ < schedule_.size();) {
-      const auto [thread, age] = next_step();
+      const step next = next_step();
       for (const action& way : ways) {
-        if (way.thread == thread && way.age == age) {
+        if (way.thread == next.thread && way.age == next.age && way.spurious == next.spurious) {
           chosen = way;
           found = true;
         }
@@ -44,14 +47,12 @@ class scripted : public strategy {
   }
 
  private:
-  std::pair<int, int> next_step() {
-    const int thread = schedule_[at_++] - 'a';
-    int age = 0;
-    for (; at_ < schedule_.size() && schedule_[at_] >= '0' && schedule_[at_] <= '9'; ++at_) {
-      age = age * 10 + (schedule_[at_] - '0');
-    }
-    return {thread, age};
-  }
+  struct step {
+    int thread;
+    int age;
+    bool spurious;
+  };
+  step next_step();
 
   std::string schedule_;
   std::size_t at_ = 0;
@@ -62,6 +63,7 @@ class scripted : public strategy {
 /// that a shorter list, or one of smaller numbers, is a calmer schedule: what shrinking needs.
 class drawn : public strategy {
  public:
+  /// `numbers` outlive it.
   explicit drawn(std::span<const std::uint8_t> numbers) : numbers_(numbers) {}
 
   bool choose(std::span<const action> ways, action& chosen) override {
@@ -77,26 +79,28 @@ class drawn : public strategy {
   int last_thread_ = -1;
 };
 
-/// One schedule of one program.
-inline findings run_once(const program_factory& make, strategy& choices, int patience = default_patience) {
-  world w;
-  findings f;
-  count(f, w.run(make, choices, patience), w);
-  f.schedule = to_string(w);
-  return f;
+// ---------------------------------------------------------------------------------------------------------
+
+inline std::string to_string(const world& w) {
+  std::string text;
+  for (const event& e : w.events()) {
+    text += letter(e.way.thread);
+    text += e.way.age > 0 ? std::to_string(e.way.age) : "";
+    text += e.way.spurious ? "!" : "";
+  }
+  return text;
 }
 
-/// Runs a schedule and prints each step with the state after it, then the fault if there is one. True if not.
-inline bool replay(const program_factory& make, std::string_view schedule, std::ostream& out,
-                   int patience = default_patience) {
-  world w;
-  w.after_step = [&out](const world& now) {
-    out << now.events().size() << "  " << now.describe(now.events().back()) << "\n     " << now.tested().draw() << '\n';
-  };
-  scripted choices(schedule);
-  const ending end = w.run(make, choices, patience);
-  out << (end == ending::faulty ? "fault: " + w.fault() : "no fault") << '\n';
-  return end != ending::faulty;
+inline scripted::step scripted::next_step() {
+  step next{schedule_[at_++] - 'a', 0, false};
+  for (; at_ < schedule_.size() && schedule_[at_] >= '0' && schedule_[at_] <= '9'; ++at_) {
+    next.age = std::min(next.age * 10 + (schedule_[at_] - '0'), static_cast<int>(longest_schedule));
+  }
+  if (at_ < schedule_.size() && schedule_[at_] == '!') {
+    next.spurious = true;
+    ++at_;
+  }
+  return next;
 }
 
 }  // namespace pelage::explore

@@ -1,16 +1,21 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/core/assert.hpp>
 #include <pelage/explore/fiber.hpp>
 #include <pelage/explore/memory.hpp>
 #include <pelage/explore/operation.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pelage::explore {
@@ -63,15 +68,34 @@ enum class ending : std::uint8_t { complete, given_up, faulty };
 /// One schedule of one program: hands control from fiber to fiber before each atomic operation and fence.
 class world {
  public:
+  world() = default;
+  world(const world&) = delete;
+  world& operator=(const world&) = delete;
+  ~world() { current_ = current_ == this ? nullptr : current_; }
+
   /// Runs a program under a strategy. `patience`: so many steps of all threads together without one that calls
   /// completed() are a fault, the one that a structure with locks shows when the holder is suspended.
   ending run(const program_factory& make, strategy& choices, int patience);
 
-  /// The one that runs.
-  static world& current() { return *current_; }
+  /// The one that runs, or ran last. Watched cells live in one: they are members of a program, made by its factory.
+  static world& current() {
+    PELAGE_ASSERT(current_ != nullptr);
+    return *current_;
+  }
+
+  /// A new atomic; more than max_locations are a fault.
+  std::int16_t add_location(std::string_view name, std::uint64_t value, std::uint64_t mask,
+                            explore::memory::show_value show);
+
+  /// The number of a new field, from 0.
+  int add_field() { return field_count_++; }
 
   /// Carries an operation out: in a thread, when the scheduler lets it; elsewhere at once, on the latest stores.
   std::uint64_t operate(const operation& op);
+
+  /// True if the operation that the running thread has just carried out was a compare-exchange that failed on what it
+  /// expected.
+  [[nodiscard]] bool failed_spuriously() const { return running_ >= 0 && events_.back().way.spurious; }
 
   /// Declares a fault; the first one counts. The schedule ends with the step.
   void fail(std::string what) {
@@ -86,14 +110,13 @@ class world {
   /// The most steps of the last run without a completed one.
   [[nodiscard]] int longest_wait() const { return longest_wait_; }
 
-  /// Called after each step of a run.
-  std::function<void(const world&)> after_step;
+  /// Where a run prints each step, each access to a field, and the state after a step; nullptr: nowhere.
+  std::ostream* trace = nullptr;
 
   [[nodiscard]] const std::string& fault() const { return fault_; }
   [[nodiscard]] const std::vector<event>& events() const { return events_; }
   [[nodiscard]] explore::memory& memory() { return memory_; }
   [[nodiscard]] const explore::memory& memory() const { return memory_; }
-  [[nodiscard]] const program& tested() const { return *program_; }
 
   /// The thread that runs now, -1 outside of threads.
   [[nodiscard]] int thread() const { return running_; }
@@ -125,6 +148,7 @@ class world {
   std::vector<action> ways_;
   std::string fault_;
   int thread_count_ = 0;
+  int field_count_ = 0;
   int running_ = -1;
   int last_completion_ = 0;
   int longest_wait_ = 0;
@@ -149,11 +173,20 @@ constexpr char letter(int thread) {
 
 // ---------------------------------------------------------------------------------------------------------
 
+inline std::int16_t world::add_location(std::string_view name, std::uint64_t value, std::uint64_t mask,
+                                        explore::memory::show_value show) {
+  if (memory_.location_count() == max_locations) {
+    fail("a program has more than " + std::to_string(max_locations) + " atomics");
+    return 0;
+  }
+  return memory_.add_location(name, value, mask, show);
+}
+
 inline std::uint64_t world::operate(const operation& op) {
   if (running_ < 0) {
     const bool changes = always_writes(op.kind) || op.kind == operation_kind::compare_exchange;
     if (changes) {
-      fail("finish() may load, but not change anything");
+      fail("outside of thread() atomics may be loaded, but not changed");
     }
     return op.location < 0 ? 0 : memory_.latest(op.location);
   }
@@ -194,10 +227,15 @@ inline ending world::run(const program_factory& make, strategy& choices, int pat
   events_.clear();
   fault_.clear();
   running_ = -1;
+  field_count_ = 0;
   last_completion_ = 0;
   longest_wait_ = 0;
   program_ = make();
   thread_count_ = program_->threads();
+  if (thread_count_ < 1 || thread_count_ > max_threads) {
+    fail("threads() is " + std::to_string(thread_count_) + ", not in [1, " + std::to_string(max_threads) + "]");
+    thread_count_ = 0;
+  }
   for (int t = 0; t < thread_count_; ++t) {
     threads_[static_cast<std::size_t>(t)].fiber.start(&world::enter, this);
     resume(t);
@@ -216,13 +254,22 @@ inline ending world::run(const program_factory& make, strategy& choices, int pat
     }
     events_.push_back(event{logical.next, chosen, logical.result});
     choices.performed(events_.back(), memory_);
+    if (trace != nullptr) {
+      *trace << events_.size() << "  " << describe(events_.back()) << '\n';
+    }
     resume(chosen.thread);
-    if (after_step) {
-      after_step(*this);
+    if (trace != nullptr) {
+      const std::string state = program_->draw();
+      *trace << (state.empty() ? "" : "     " + state + '\n');
     }
     longest_wait_ = std::max(longest_wait_, static_cast<int>(events_.size()) - last_completion_);
     if (longest_wait_ > patience) {
-      fail("no progress: " + std::to_string(patience) + " steps and no operation has completed");
+      fail("no progress: " + std::to_string(patience) +
+           " steps and no operation has completed; a loop that waits for another thread is an await() here, and each "
+           "operation ends with completed()");
+    }
+    if (events_.size() == longest_schedule) {
+      fail("a schedule is longer than " + std::to_string(longest_schedule) + " steps");
     }
   }
   if (fault_.empty()) {
@@ -233,6 +280,7 @@ inline ending world::run(const program_factory& make, strategy& choices, int pat
 
 inline std::string world::describe(const event& e) const {
   std::string text = {letter(e.way.thread), ':', ' '};
+  text += e.what.weak ? "weak " : "";
   text += name_of(e.what.kind);
   if (e.what.location >= 0) {
     text += ' ' + memory_.name(e.what.location);
@@ -252,7 +300,9 @@ inline std::string world::describe(const event& e) const {
     case operation_kind::store:
       return text + ": " + operand;
     case operation_kind::compare_exchange:
-      return text + ": " + (e.way.writes ? read + " becomes " + operand : "fails, finds " + read);
+      return text + ": " +
+             (e.way.writes ? read + " becomes " + operand
+                           : (e.way.spurious ? "fails without reason, finds " : "fails, finds ") + read);
     default:
       return text + ": finds " + read + ", operand " + operand;
   }
