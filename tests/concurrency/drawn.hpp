@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/explore/schedule.hpp>
+#include <pelage/explore/explore.hpp>
 
 #include "concurrency/inserts.hpp"
 #include "concurrency/structures.hpp"

@@ -7,7 +7,7 @@
 //
 // The string is what a failing test prints: the structure, what each thread inserts as depth:id, and the schedule: a
 // letter a step for the thread that takes it, and a number behind it where it reads an older store than the latest.
-#include <pelage/explore/schedule.hpp>
+#include <pelage/explore/explore.hpp>
 
 #include "concurrency/inserts.hpp"
 #include "concurrency/structures.hpp"

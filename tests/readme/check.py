@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """check.py ROOT COMPILER FLAG...: every README.md under ROOT is what it says it is.
 
-Each ```cpp block is a translation unit of its own; one that has a main is also run. Each ```glsl block that
+Each ```cpp block is a translation unit of its own; one that has a main is also run, with Boost.Context if it explores. Each ```glsl block that
 has a main is validated where glslangValidator is installed. The comment <!-- not compiled --> on the line
 above a block leaves it out. Every relative link and picture leads to what exists, its #anchor to a heading.
 First the check itself is tested: on a tree with faults planted in it, it must report each of them, and no more.
@@ -71,7 +71,8 @@ def commands(block, include, compile_cpp, work):
         source.write_text(block["code"])
         if not re.search(r"^int main\(", block["code"], re.M):
             return [[*compile_cpp, f"-I{include}", "-fsyntax-only", str(source)]]
-        return [[*compile_cpp, f"-I{include}", str(source), "-o", str(program)], [str(program)]]
+        libraries = ["-lboost_context"] if "<pelage/explore/explore.hpp>" in block["code"] else []
+        return [[*compile_cpp, f"-I{include}", str(source), "-o", str(program), *libraries], [str(program)]]
 
     validator = shutil.which("glslangValidator")
     if validator is None or "void main" not in block["code"]:

@@ -33,9 +33,9 @@ struct operation {
   std::int16_t location;  ///< of the cell; -1 for fence and join
   std::memory_order order;
   std::memory_order failure_order;  ///< of a compare-exchange that finds something else
+  bool weak;                        ///< a compare-exchange that may fail without reason
   std::uint64_t operand;            ///< stored, added, compared with for minimum, maximum and await
   std::uint64_t expected;           ///< of a compare-exchange
-  bool weak = false;                ///< a compare-exchange that may fail without reason
 };
 
 /// One way to go on: which thread, and which of the stores that it may read. Equal numbers mean the same way for as

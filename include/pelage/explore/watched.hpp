@@ -16,7 +16,7 @@ namespace pelage::explore {
 
 /// Stands for std::atomic_thread_fence.
 inline void fence(std::memory_order order) {
-  world::current().operate({operation_kind::fence, -1, order, std::memory_order_relaxed, 0, 0});
+  world::current().operate({operation_kind::fence, -1, order, std::memory_order_relaxed, false, 0, 0});
 }
 
 /// Text is the name of a watched cell, all else its first value.
@@ -124,12 +124,12 @@ class watched_atomic {
                                                 : order;
   }
   std::uint64_t act(operation_kind kind, std::memory_order order, std::uint64_t operand) const {
-    return world::current().operate({kind, location_, order, std::memory_order_relaxed, operand, 0});
+    return world::current().operate({kind, location_, order, std::memory_order_relaxed, false, operand, 0});
   }
   bool compare_exchange(T& expected, T desired, std::memory_order success, std::memory_order failure, bool weak) {
     const std::uint64_t wanted = raw(expected);
     const std::uint64_t found = world::current().operate(
-        {operation_kind::compare_exchange, location_, success, failure, raw(desired), wanted, weak});
+        {operation_kind::compare_exchange, location_, success, failure, weak, raw(desired), wanted});
     expected = typed(found);
     return found == wanted && !world::current().failed_spuriously();
   }
@@ -202,7 +202,8 @@ class watched_field {
 
 /// Waits until all other threads are done, and synchronises with them, as std::thread::join does.
 inline void join_others() {
-  world::current().operate({operation_kind::join, -1, std::memory_order_acquire, std::memory_order_relaxed, 0, 0});
+  world::current().operate(
+      {operation_kind::join, -1, std::memory_order_acquire, std::memory_order_relaxed, false, 0, 0});
 }
 
 }  // namespace pelage::explore
