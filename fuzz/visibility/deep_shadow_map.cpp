@@ -24,7 +24,7 @@ double truth_at(const std::vector<step>& steps, float depth) {
   double passed = 1.0;
   for (const step& s : steps) {
     const double stopped = s.alpha > 0.0f ? std::min(static_cast<double>(s.alpha), 1.0) : 0.0;
-    passed *= held_depth(s.depth) < held_depth(depth) ? 1.0 - stopped : 1.0;
+    passed *= detail::clamped_depth(s.depth) < detail::clamped_depth(depth) ? 1.0 - stopped : 1.0;
   }
   return passed;
 }

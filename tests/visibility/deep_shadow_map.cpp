@@ -52,7 +52,7 @@ deep_map map_of(const std::vector<occluder>& sorted, float max_error) {
 double truth_at(const std::vector<occluder>& sorted, float depth) {
   double passed = 1.0;
   for (const occluder& each : sorted) {
-    if (held_depth(each.depth) < held_depth(depth)) passed *= 1.0 - double{saturate(each.alpha)};
+    if (detail::clamped_depth(each.depth) < detail::clamped_depth(depth)) passed *= 1.0 - double{saturate(each.alpha)};
   }
   return passed;
 }
@@ -87,7 +87,7 @@ std::vector<float> telling_depths(const std::vector<occluder>& sorted) {
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const float z = sorted[i].depth;
     depths.insert(depths.end(), {z, std::nextafter(z, inf), std::nextafter(z, -inf)});
-    if (i > 0) depths.push_back(0.5f * held_depth(z) + 0.5f * held_depth(sorted[i - 1].depth));
+    if (i > 0) depths.push_back(0.5f * detail::clamped_depth(z) + 0.5f * detail::clamped_depth(sorted[i - 1].depth));
   }
   std::sort(depths.begin(), depths.end());
   return depths;

@@ -31,8 +31,10 @@ struct span_vertex_storage {
 
 static_assert(deep_shadow_storage<span_vertex_storage>);
 
+namespace detail {
+
 /// A depth as the map knows it.
-[[nodiscard]] constexpr float held_depth(float depth) noexcept {
+[[nodiscard]] constexpr float clamped_depth(float depth) noexcept {
   const float magnitude = depth < 0.0f ? -depth : depth;
   if (!(magnitude >= 7.88860905e-31f)) {
     return 0.0f;
@@ -40,6 +42,8 @@ static_assert(deep_shadow_storage<span_vertex_storage>);
   const float held = magnitude < 1.26765060e30f ? magnitude : 1.26765060e30f;
   return depth < 0.0f ? -held : held;
 }
+
+}  // namespace detail
 
 /// Turns the sorted fragments of a texel into its transmittance as a function of depth, in one pass: a line from
 /// vertex to vertex that is nowhere farther than a given error from the truth. [Lokovic & Veach 2000, §4.2]
@@ -123,7 +127,7 @@ struct deep_shadow_builder {
 template <deep_shadow_storage Storage>
 [[nodiscard]] constexpr float deep_shadow_at(const Storage& storage, std::uint32_t first, std::uint32_t count,
                                              float depth) noexcept {
-  const float at = held_depth(depth);
+  const float at = detail::clamped_depth(depth);
   std::uint32_t before = 0u;  // vertices known to lie before the depth
   std::uint32_t rest = count;
   while (rest > 0u) {
@@ -155,7 +159,7 @@ constexpr void deep_shadow_builder::add(Storage& storage, float depth, float alp
   if (depth != depth) {
     return;
   }
-  const float held = held_depth(depth);
+  const float held = detail::clamped_depth(depth);
   if (count == 0u) {
     begin_line(storage, deep_shadow_vertex{held, 1.0f});
   } else {

@@ -13,10 +13,14 @@
 
 namespace pelage::inline PELAGE_ABI {
 
+namespace detail {
+
 /// Where in its bin a position lies, [0, 512].
 [[nodiscard]] constexpr std::uint32_t step_in_bin(float position, std::uint32_t bin) noexcept {
   return static_cast<std::uint32_t>(saturate(position - static_cast<float>(bin)) * 512.0f + 0.5f);
 }
+
+}  // namespace detail
 
 /// One texel's fragments as K clusters, each with its number, mean depth and variance. [Mertens et al. 2004, §3]
 ///
@@ -48,7 +52,7 @@ struct density_clusters {
   /// Puts a fragment in. `position`: slice_position(relative depth, K), [0, K]. Not concurrent. O(1).
   constexpr void add(float position) noexcept {
     const std::uint32_t bin = layer_at(position, K);
-    const std::uint32_t place = step_in_bin(position, bin);
+    const std::uint32_t place = detail::step_in_bin(position, bin);
     count[bin] = add_saturating(count[bin], 1u);
     sum[bin] = add_saturating(sum[bin], place);
     squares[bin] = add_saturating(squares[bin], place * place);
@@ -65,7 +69,7 @@ template <std::uint32_t K, cell_storage Storage>
 void add_to_density_clusters(Storage& storage, std::uint32_t texel, float position) noexcept {
   PELAGE_ASSERT(texel < storage.size() / (3u * K));
   const std::uint32_t bin = layer_at(position, K);
-  const std::uint32_t place = step_in_bin(position, bin);
+  const std::uint32_t place = detail::step_in_bin(position, bin);
   const std::uint32_t first = texel * 3u * K + bin;
   add_to_cell(storage, first, 1u);
   add_to_cell(storage, first + K, place);

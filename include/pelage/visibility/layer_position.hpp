@@ -12,15 +12,11 @@ namespace pelage::inline PELAGE_ABI {
 /// functions here give positions in [0, layers] that never fall as depth grows, whole exactly at a layer's end, and
 /// the same for a fragment that is put in and for a look-up. NaN gives 0.
 
-/// x clamped to [0, high]; NaN gives 0.
-[[nodiscard]] constexpr float held_position(float x, float high) noexcept {
-  return x > 0.0f ? (x < high ? x : high) : 0.0f;
-}
+namespace detail {
 
-/// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: depth_range::relative, [0, 1].
-[[nodiscard]] constexpr float slice_position(float relative, std::uint32_t slices) noexcept {
-  const float end = static_cast<float>(slices);
-  return held_position(relative * end, end);
+/// x clamped to [0, high]; NaN gives 0.
+[[nodiscard]] constexpr float clamped_position(float x, float high) noexcept {
+  return x > 0.0f ? (x < high ? x : high) : 0.0f;
 }
 
 /// How many widths long an offset is.
@@ -28,22 +24,30 @@ namespace pelage::inline PELAGE_ABI {
   return width <= 8.50705917e37f ? offset / width : 0.0f;
 }
 
+}  // namespace detail
+
+/// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: depth_range::relative, [0, 1].
+[[nodiscard]] constexpr float slice_position(float relative, std::uint32_t slices) noexcept {
+  const float end = static_cast<float>(slices);
+  return detail::clamped_position(relative * end, end);
+}
+
 /// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
 /// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
 /// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
 /// divides by no more) at 0.
 [[nodiscard]] constexpr float equal_layer_position(float offset, float width, std::uint32_t layers) noexcept {
-  return held_position(offset_in_widths(offset, width), static_cast<float>(layers));
+  return detail::clamped_position(detail::offset_in_widths(offset, width), static_cast<float>(layers));
 }
 
 /// The same with widths that grow linearly: width, 2 width, 3 width, ... [Yuksel & Keyser 2008, §4]
 [[nodiscard]] inline float growing_layer_position(float offset, float width, std::uint32_t layers) noexcept {
   const float end = static_cast<float>(layers);
   // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is clamped to 0.
-  const float widths = held_position(offset_in_widths(offset, width), 0.5f * end * (end + 1.0f));
+  const float widths = detail::clamped_position(detail::offset_in_widths(offset, width), 0.5f * end * (end + 1.0f));
   const float layer = std::floor(0.5f * (std::sqrt(8.0f * widths + 1.0f) - 1.0f));
   const float inside = (widths - 0.5f * layer * (layer + 1.0f)) / (layer + 1.0f);
-  return held_position(layer + held_position(inside, 1.0f), end);
+  return detail::clamped_position(layer + detail::clamped_position(inside, 1.0f), end);
 }
 
 /// The first layer's width for linearly growing layers that together are `extent` long. `layers`: [1, 65535].

@@ -25,6 +25,8 @@ void amounts_before(const occupancy_map<Slices, Slabs>& map, std::span<const flo
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
 /// The k-th of a few numbers, from their differences to the one before and without a look-up in memory: a compiler
 /// keeps those in registers, where it would gather from a table.
 template <std::size_t N>
@@ -35,6 +37,8 @@ template <std::size_t N>
   }
   (std::make_index_sequence<N>());
 }
+
+}  // namespace detail
 
 template <std::uint32_t Slices, std::uint32_t Slabs>
 void amounts_before(const occupancy_map<Slices, Slabs>& map, std::span<const float> positions,
@@ -58,7 +62,7 @@ void amounts_before(const occupancy_map<Slices, Slabs>& map, std::span<const flo
     std::uint32_t count = 0u;
     for (std::uint32_t part = slab * slab_parts; part < (slab + 1u) * slab_parts; ++part) {
       const std::uint32_t first = part * part_slices;
-      bits[part] = (map.occupied[first / 32u] >> (first % 32u)) & bits_below(part_slices);
+      bits[part] = (map.occupied[first / 32u] >> (first % 32u)) & detail::bits_below(part_slices);
       set[part] = count << 16u;
       before[part] = std::bit_cast<std::uint32_t>(static_cast<float>(sum));
       here[part] = std::bit_cast<std::uint32_t>(static_cast<float>(map.amount[slab]));
@@ -85,15 +89,16 @@ void amounts_before(const occupancy_map<Slices, Slabs>& map, std::span<const flo
     const std::uint32_t truncated = static_cast<std::uint32_t>(static_cast<std::int32_t>(position));
     const std::uint32_t slice = truncated < Slices ? truncated : Slices - 1u;
     const std::uint32_t part = slice / part_slices;
-    const std::uint32_t slices = sum_of_first(bits, part) << (31u - slice % part_slices);  // this one at the top
-    const std::uint32_t counts = sum_of_first(set, part);
+    const std::uint32_t slices = detail::sum_of_first(bits, part)
+                                 << (31u - slice % part_slices);  // this one at the top
+    const std::uint32_t counts = detail::sum_of_first(set, part);
     const float inside = static_cast<float>(slices >> 31u) * (position - static_cast<float>(slice));
     const std::uint32_t set_here = static_cast<std::uint32_t>(std::popcount(slices << 1u));
     const float set_before = static_cast<float>((counts >> 16u) + set_here);
     const float share = (set_before + inside) / static_cast<float>(counts & 0xffffu);
-    const float amount =
-        std::bit_cast<float>(sum_of_first(before, part)) + share * std::bit_cast<float>(sum_of_first(here, part));
-    const float at_most = std::bit_cast<float>(sum_of_first(most, part));
+    const float amount = std::bit_cast<float>(detail::sum_of_first(before, part)) +
+                         share * std::bit_cast<float>(detail::sum_of_first(here, part));
+    const float at_most = std::bit_cast<float>(detail::sum_of_first(most, part));
     amounts[i] = amount < at_most ? amount : at_most;
   }
 }

@@ -13,10 +13,14 @@
 
 namespace pelage::inline PELAGE_ABI {
 
+namespace detail {
+
 /// The bits below bit n; all for n >= 32.
 [[nodiscard]] constexpr std::uint32_t bits_below(std::uint32_t n) noexcept {
   return n < 32u ? (1u << n) - 1u : 0xffffffffu;
 }
+
+}  // namespace detail
 
 /// One texel of an occupancy map: a bit for each slice of its depth range and a sum for each slab of slices, from
 /// which a fragment's place in the depth order is estimated without sorting. [Sintorn & Assarsson 2009, §3]
@@ -126,13 +130,13 @@ constexpr float occupancy_map<Slices, Slabs>::amount_before(float position) cons
     before = add_saturating(before, i < slab ? amount[i] : 0u);
   }
   const std::uint32_t first = slab * slab_slices;  // slice, and where in its word a slab smaller than that begins
-  const std::uint32_t of_slab = bits_below(slab_slices) << (first % 32u);
+  const std::uint32_t of_slab = detail::bits_below(slab_slices) << (first % 32u);
   std::uint32_t set_before = 0u;
   std::uint32_t set = 0u;
   for (std::uint32_t i = 0u; i < (slab_slices + 31u) / 32u; ++i) {
     const std::uint32_t word_first = (first / 32u + i) * 32u;
     const std::uint32_t bits = occupied[first / 32u + i] & of_slab;
-    const std::uint32_t below = slice > word_first ? bits_below(slice - word_first) : 0u;
+    const std::uint32_t below = slice > word_first ? detail::bits_below(slice - word_first) : 0u;
     set_before += static_cast<std::uint32_t>(std::popcount(bits & below));
     set += static_cast<std::uint32_t>(std::popcount(bits));
   }

@@ -23,7 +23,7 @@ void pelage_span_vertex_storage_write_vertex(uint pelage_n, pelage_deep_shadow_v
 }
 
 /// A depth as the map knows it.
-precise float pelage_held_depth(float depth) {
+precise float pelage_detail_clamped_depth(float depth) {
   const float magnitude = depth < 0.0 ? -depth : depth;
   if (!(magnitude >= 7.88860905e-31)) {
     return 0.0;
@@ -117,7 +117,7 @@ void pelage_deep_shadow_builder_begin_line(precise inout pelage_deep_shadow_buil
 /// The transmittance that `count` vertices from `first` on give at a depth, [0, 1]; 1 without vertices. Never rises
 /// with depth. NaN counts as 0. O(log count).
 precise float pelage_deep_shadow_at(uint first, uint count, float depth) {
-  const float at = pelage_held_depth(depth);
+  const float at = pelage_detail_clamped_depth(depth);
   uint before = 0u;  // vertices known to lie before the depth
   uint rest = count;
   while (rest > 0u) {
@@ -148,7 +148,7 @@ void pelage_deep_shadow_builder_add(precise inout pelage_deep_shadow_builder sel
   if (depth != depth) {
     return;
   }
-  const float held = pelage_held_depth(depth);
+  const float held = pelage_detail_clamped_depth(depth);
   if (self.count == 0u) {
     pelage_deep_shadow_builder_begin_line(self, pelage_deep_shadow_vertex(held, 1.0));
   } else {

@@ -32,7 +32,7 @@ uint[PELAGE_DENSITY_CLUSTERS_K] PELAGE_DENSITY_CLUSTERS_K_has_one_value_in_a_sha
 #ifndef PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL_ONCE
 
 /// Where in its bin a position lies, [0, 512].
-precise uint pelage_step_in_bin(float position, uint bin) {
+precise uint pelage_detail_step_in_bin(float position, uint bin) {
   return uint(pelage_saturate(position - float(bin)) * 512.0 + 0.5);
 }
 
@@ -66,7 +66,7 @@ pelage_density_clusters pelage_density_clusters_empty() {
 /// Puts a fragment in. `position`: pelage_slice_position(relative depth, K), [0, K]. Not concurrent. O(1).
 void pelage_density_clusters_add(inout pelage_density_clusters self, float position) {
   const uint bin = pelage_layer_at(position, PELAGE_DENSITY_CLUSTERS_K);
-  const uint place = pelage_step_in_bin(position, bin);
+  const uint place = pelage_detail_step_in_bin(position, bin);
   self.count[bin] = pelage_add_saturating(self.count[bin], 1u);
   self.sum[bin] = pelage_add_saturating(self.sum[bin], place);
   self.squares[bin] = pelage_add_saturating(self.squares[bin], place * place);
@@ -80,7 +80,7 @@ precise float pelage_density_clusters_count_before(pelage_density_clusters self,
 /// all 0 at first. Lock-free; memory orders: core/atomic_cells.glsl.
 void pelage_add_to_density_clusters(uint texel, float position) {
   const uint bin = pelage_layer_at(position, PELAGE_DENSITY_CLUSTERS_K);
-  const uint place = pelage_step_in_bin(position, bin);
+  const uint place = pelage_detail_step_in_bin(position, bin);
   const uint first = texel * 3u * PELAGE_DENSITY_CLUSTERS_K + bin;
   pelage_add_to_cell(first, 1u);
   pelage_add_to_cell(first + PELAGE_DENSITY_CLUSTERS_K, place);

@@ -9,19 +9,19 @@
 /// the same for a fragment that is put in and for a look-up. NaN gives 0.
 
 /// x clamped to [0, high]; NaN gives 0.
-float pelage_held_position(float x, float high) {
+float pelage_detail_clamped_position(float x, float high) {
   return x > 0.0 ? (x < high ? x : high) : 0.0;
+}
+
+/// How many widths long an offset is.
+precise float pelage_detail_offset_in_widths(float offset, float width) {
+  return width <= 8.50705917e37 ? offset / width : 0.0;
 }
 
 /// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: pelage_depth_range_relative, [0, 1].
 precise float pelage_slice_position(float relative, uint slices) {
   const float end = float(slices);
-  return pelage_held_position(relative * end, end);
-}
-
-/// How many widths long an offset is.
-precise float pelage_offset_in_widths(float offset, float width) {
-  return width <= 8.50705917e37 ? offset / width : 0.0;
+  return pelage_detail_clamped_position(relative * end, end);
 }
 
 /// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
@@ -29,17 +29,18 @@ precise float pelage_offset_in_widths(float offset, float width) {
 /// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
 /// divides by no more) at 0.
 float pelage_equal_layer_position(float offset, float width, uint layers) {
-  return pelage_held_position(pelage_offset_in_widths(offset, width), float(layers));
+  return pelage_detail_clamped_position(pelage_detail_offset_in_widths(offset, width), float(layers));
 }
 
 /// The same with widths that grow linearly: width, 2 width, 3 width, ... [Yuksel & Keyser 2008, §4]
 precise float pelage_growing_layer_position(float offset, float width, uint layers) {
   const float end = float(layers);
   // Layer k begins at k (k + 1) / 2 widths; where the root rounds up to its number, the part inside is clamped to 0.
-  const float widths = pelage_held_position(pelage_offset_in_widths(offset, width), 0.5 * end * (end + 1.0));
+  const float widths =
+      pelage_detail_clamped_position(pelage_detail_offset_in_widths(offset, width), 0.5 * end * (end + 1.0));
   const float layer = floor(0.5 * (sqrt(8.0 * widths + 1.0) - 1.0));
   const float inside = (widths - 0.5 * layer * (layer + 1.0)) / (layer + 1.0);
-  return pelage_held_position(layer + pelage_held_position(inside, 1.0), end);
+  return pelage_detail_clamped_position(layer + pelage_detail_clamped_position(inside, 1.0), end);
 }
 
 /// The first layer's width for linearly growing layers that together are `extent` long. `layers`: [1, 65535].

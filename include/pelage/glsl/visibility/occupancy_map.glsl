@@ -49,7 +49,7 @@ uint[PELAGE_OCCUPANCY_MAP_SLICES] PELAGE_OCCUPANCY_MAP_SLICES_has_one_value_in_a
 #ifndef PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL_ONCE
 
 /// The bits below bit n; all for n >= 32.
-uint pelage_bits_below(uint n) {
+uint pelage_detail_bits_below(uint n) {
   return n < 32u ? (1u << n) - 1u : 0xffffffffu;
 }
 
@@ -162,13 +162,13 @@ precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, floa
   }
   const uint first =
       slab * pelage_occupancy_map_slab_slices;  // slice, and where in its word a slab smaller than that begins
-  const uint of_slab = pelage_bits_below(pelage_occupancy_map_slab_slices) << (first % 32u);
+  const uint of_slab = pelage_detail_bits_below(pelage_occupancy_map_slab_slices) << (first % 32u);
   uint set_before = 0u;
   uint set = 0u;
   for (uint i = 0u; i < (pelage_occupancy_map_slab_slices + 31u) / 32u; ++i) {
     const uint word_first = (first / 32u + i) * 32u;
     const uint bits = self.occupied[first / 32u + i] & of_slab;
-    const uint below = slice > word_first ? pelage_bits_below(slice - word_first) : 0u;
+    const uint below = slice > word_first ? pelage_detail_bits_below(slice - word_first) : 0u;
     set_before += uint(bitCount(bits & below));
     set += uint(bitCount(bits));
   }
