@@ -11,6 +11,7 @@
 #include <pelage/composite/over.hpp>
 #include <pelage/composite/radiance.hpp>
 #include <pelage/composite/tail_lanes.hpp>
+#include <pelage/composite/weighted_blended.hpp>
 #include <pelage/core/exact_begin.hpp>  // for the sums and products below, too
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
@@ -81,7 +82,8 @@ bool same_bits(const results& a, const results& b) {
             natural_logarithm(unit + 1e-6f), unsigned_angle(a.y, a.x), angle_of_sine(unit),
             rotation_by(10.0f * b.x).sine, power_of_cosine(unit, 30.0f * radius)});
   const auto pair = closest_points(a, b, c, d);
-  put(out, {pair.along_ray, pair.along_segment, pair.distance, disc_strip_share(unit, radius, 0.5f)});
+  put(out, {pair.along_ray, pair.along_segment, pair.distance, disc_strip_share(unit, radius, 0.5f),
+            offset_across(a, b, c, d, pair, 4.0f)});
   const strand_joint<float> first{{a.x, a.y}, {b.x, b.y}};
   const strand_joint<float> second{{c.x, c.y}, {d.x, d.y}};
   put(out, {past_joint(first, {d.x, c.y}), owned_by_segment(first, second, {d.x, c.y}),
@@ -112,8 +114,10 @@ bool same_bits(const results& a, const results& b) {
 
   const tail behind = add_fragment(add_fragment(empty_tail(), unit, glm::abs(a)), radius, glm::abs(b));
   put(out, mean_colour(behind));
-  put(out, {transmittance_of(behind), order_weight(unit, 9.0f * radius)});
-  put(out, resolve(add_fibre(empty_pixel<float>(), glm::abs(a), glm::vec3(unit), radius), glm::abs(b)));
+  put(out, {transmittance_of(behind), order_weight(unit, 9.0f * radius), distance_weight(unit, radius, 6.0f)});
+  put(out, clamp_keeping_hue(1e4f * a));
+  put(out,
+      resolve(add_tail(add_fibre(empty_pixel<float>(), glm::abs(a), glm::vec3(unit), radius), behind), glm::abs(b)));
   put(out, glm::vec3(over(premultiply(a, unit), premultiply(b, radius))));
   depth_range range = depth_range::empty();
   range.extend(-c.z);
@@ -148,6 +152,7 @@ bool packs_agree(draws& draw) {
   keep(pair.along_ray);
   keep(pair.distance);
   keep(disc_strip_share(number(0), number(1), number(2)));
+  keep(offset_across(vector(0), vector(3), vector(6), vector(9), pair, lanes<W>(4.0f)));
   keep(kajiya_kay(vector(0), vector(3), vector(6), lanes<W>(8.0f)).specular);
   for (std::size_t k = 0; k < n; ++k)
     put(single, {closest_points(one(0, k), one(3, k), one(6, k), one(9, k)).along_ray});
@@ -155,6 +160,10 @@ bool packs_agree(draws& draw) {
     put(single, {closest_points(one(0, k), one(3, k), one(6, k), one(9, k)).distance});
   for (std::size_t k = 0; k < n; ++k)
     put(single, {disc_strip_share(in[0][k], in[1][k], in[2][k])});
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto alone = closest_points(one(0, k), one(3, k), one(6, k), one(9, k));
+    put(single, {offset_across(one(0, k), one(3, k), one(6, k), one(9, k), alone, 4.0f)});
+  }
   for (std::size_t k = 0; k < n; ++k)
     put(single, {kajiya_kay(one(0, k), one(3, k), one(6, k), 8.0f).specular});
 
