@@ -29,7 +29,7 @@ namespace pelage::inline PELAGE_ABI {
 /// and in a list in no particular order about 1.4 K fragments lie within it, whatever its length. A second pass copies
 /// them, and a network sorts them. Lists that defeat the bound tighten it as they go. O(n + K log² K) operations, at
 /// worst O(n log² K), with a constant of 1 / lanes. Lists with a -0 or a refused id among the near ones are
-/// selected by insertion, O(n K). No allocation; at most 4 KiB of stack.
+/// selected by insertion, O(n K). No allocation; at most 6 KiB of stack.
 template <std::uint32_t K, vector_isa Isa = widest_isa>
 std::uint32_t k_select(std::span<const fragment> list, std::span<fragment, K> nearest) noexcept;
 
@@ -37,7 +37,7 @@ std::uint32_t k_select(std::span<const fragment> list, std::span<fragment, K> ne
 /// first[p + 1]; its nearest go to nearest[p K] and on.
 ///
 /// `first`: one more than there are pixels (or empty), ascending, none beyond the fragments. `nearest`: K a pixel.
-/// Four long lists at a time, one's latency hidden behind the others': faster than a call for each. At most 12 KiB of
+/// Four long lists at a time, one's latency hidden behind the others': faster than a call for each. At most 16 KiB of
 /// stack.
 template <std::uint32_t K, vector_isa Isa = widest_isa>
 void k_select(std::span<const fragment> fragments, std::span<const std::uint32_t> first,
@@ -207,22 +207,21 @@ inline std::uint32_t long_list<K, Isa>::finish(fragment* nearest, std::uint32_t 
   return best_.is_inexact() ? select_by_insertion(list_, n_, nearest, k) : best_.write(nearest, k);
 }
 
-/// k_select by the network for K, which is a power of two, of which the `k` first are written.
+/// k_select by the network for K, which is a power of two, of which the `k` first are written, from more than 2 K
+/// fragments. Not inlined, nor is the next: select() has no frame of its own under that of a lesser network.
 template <std::uint32_t K, vector_isa Isa>
-std::uint32_t select(const fragment* list, std::size_t n, fragment* nearest, std::uint32_t k) noexcept {
-  if (n > 2u * K) {
-    long_list<K, Isa> one;
-    one.start(list, n);
-    one.gather();
-    return one.finish(nearest, k);
-  }
-  if constexpr (K > 8u) {
-    if (n <= K / 2u) {
-      const std::uint32_t half = std::min(k, K / 2u);
-      std::fill(nearest + half, nearest + k, no_fragment());
-      return select<K / 2u, Isa>(list, n, nearest, half);
-    }
-  }
+[[gnu::noinline]] std::uint32_t select_from_many(const fragment* list, std::size_t n, fragment* nearest,
+                                                 std::uint32_t k) noexcept {
+  long_list<K, Isa> one;
+  one.start(list, n);
+  one.gather();
+  return one.finish(nearest, k);
+}
+
+/// The same from at most 2 K.
+template <std::uint32_t K, vector_isa Isa>
+[[gnu::noinline]] std::uint32_t select_from_few(const fragment* list, std::size_t n, fragment* nearest,
+                                                std::uint32_t k) noexcept {
   nearest_keys<K, Isa> best;
   std::size_t from = 0u;
   for (; from + K <= n; from += K) {
@@ -234,6 +233,22 @@ std::uint32_t select(const fragment* list, std::size_t n, fragment* nearest, std
     best.absorb(rest);
   }
   return best.is_inexact() ? select_by_insertion(list, n, nearest, k) : best.write(nearest, k);
+}
+
+/// The same from any number, by the least network that will do.
+template <std::uint32_t K, vector_isa Isa>
+std::uint32_t select(const fragment* list, std::size_t n, fragment* nearest, std::uint32_t k) noexcept {
+  if (n > 2u * K) {
+    return select_from_many<K, Isa>(list, n, nearest, k);
+  }
+  if constexpr (K > 8u) {
+    if (n <= K / 2u) {
+      const std::uint32_t half = std::min(k, K / 2u);
+      std::fill(nearest + half, nearest + k, no_fragment());
+      return select<K / 2u, Isa>(list, n, nearest, half);
+    }
+  }
+  return select_from_few<K, Isa>(list, n, nearest, k);
 }
 
 /// k_select for many lists.
@@ -249,20 +264,19 @@ void select_each(const fragment* fragments, const std::uint32_t* first, std::siz
     while (long_ones < together && p + long_ones < lists && length(p + long_ones) > 2u * K) {
       ++long_ones;
     }
-    if (long_ones < together) {
+    for (std::size_t i = 0u; i < long_ones; ++i) {
+      side_by_side[i].start(fragments + first[p + i], length(p + i));
+    }
+    for (std::size_t i = 0u; i < long_ones; ++i) {
+      side_by_side[i].gather();
+    }
+    for (std::size_t i = 0u; i < long_ones; ++i) {
+      side_by_side[i].finish(nearest + (p + i) * k, k);
+    }
+    p += long_ones;
+    if (long_ones == 0u) {
       select<K, Isa>(fragments + first[p], length(p), nearest + p * k, k);
       ++p;
-    } else {
-      for (std::size_t i = 0u; i < together; ++i) {
-        side_by_side[i].start(fragments + first[p + i], length(p + i));
-      }
-      for (auto& list : side_by_side) {
-        list.gather();
-      }
-      for (std::size_t i = 0u; i < together; ++i) {
-        side_by_side[i].finish(nearest + (p + i) * k, k);
-      }
-      p += together;
     }
   }
 }
