@@ -135,7 +135,7 @@ inline std::int16_t memory::add_location(std::string_view name, std::uint64_t va
 }
 
 inline void memory::add_ways(int thread, const operation& op, std::vector<action>& ways) const {
-  action way{static_cast<std::int8_t>(thread), always_writes(op.kind), is_total(op), false, op.location, 0, 0};
+  action way{static_cast<std::int16_t>(thread), always_writes(op.kind), is_total(op), false, op.location, 0, 0};
   const bool chooses = op.kind == operation_kind::load || op.kind == operation_kind::await ||
                        op.kind == operation_kind::compare_exchange;
   if (!chooses) {

@@ -41,7 +41,7 @@ struct operation {
 /// One way to go on: which thread, and which of the stores that it may read. Equal numbers mean the same way for as
 /// long as the thread has not moved.
 struct action {
-  std::int8_t thread;
+  std::int16_t thread;
   bool writes;            ///< takes a place in the cell's modification order
   bool total;             ///< takes a place in the order of all seq_cst operations
   bool spurious;          ///< a weak compare-exchange that fails though it finds what it expects

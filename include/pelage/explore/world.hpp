@@ -71,7 +71,7 @@ class world {
   world() = default;
   world(const world&) = delete;
   world& operator=(const world&) = delete;
-  ~world() { current_ = current_ == this ? nullptr : current_; }
+  ~world() { active = active == this ? nullptr : active; }
 
   /// Runs a program under a strategy. `patience`: so many steps of all threads together without one that calls
   /// completed() are a fault, the one that a structure with locks shows when the holder is suspended.
@@ -79,8 +79,8 @@ class world {
 
   /// The one that runs, or ran last. Watched cells live in one: they are members of a program, made by its factory.
   static world& current() {
-    PELAGE_ASSERT(current_ != nullptr);
-    return *current_;
+    PELAGE_ASSERT(active != nullptr);
+    return *active;
   }
 
   /// A new atomic; more than max_locations are a fault.
@@ -139,7 +139,7 @@ class world {
   void resume(int t);
   void collect_ways();
 
-  static inline thread_local world* current_ = nullptr;
+  static inline thread_local world* active = nullptr;
 
   explore::memory memory_;
   std::array<logical_thread, max_threads> threads_;
@@ -221,7 +221,7 @@ inline void world::collect_ways() {
 }
 
 inline ending world::run(const program_factory& make, strategy& choices, int patience) {
-  current_ = this;
+  active = this;
   program_.reset();
   memory_.reset();
   events_.clear();
