@@ -175,7 +175,8 @@ void translator::translate_function(const FunctionDecl* f) {
               {f->isOverloadedOperator() && operator_name(f).empty(), "operator overload: call a function instead"}});
   const std::string result = type_of(f->getReturnType(), where);
   std::vector<std::string> list = parameters(definition);
-  fresh_->body = glsl(definition->getBody(), position::statement);
+  fresh_->body = subgroup_body(definition);
+  if (fresh_->body.empty()) fresh_->body = glsl(definition->getBody(), position::statement);
   // No fused multiply-add may come between the two: `precise` covers all that leads to a result.
   const std::string precise = arithmetic_ && !f->getReturnType()->isVoidType() ? "precise " : "";
   for (std::string& parameter : list) {

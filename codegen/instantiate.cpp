@@ -41,6 +41,7 @@
 #include <pelage/core/atomic_cells.hpp>
 #include <pelage/core/elementary.hpp>
 #include <pelage/core/fragment.hpp>
+#include <pelage/core/lane_group.hpp>
 #include <pelage/core/math.hpp>
 #include <pelage/core/mixed_bits.hpp>
 #include <pelage/core/real_number.hpp>
@@ -53,6 +54,7 @@
 #include <pelage/coverage/segment_quad.hpp>
 #include <pelage/order/a_buffer.hpp>
 #include <pelage/order/atomic_k_buffer.hpp>
+#include <pelage/order/group_select.hpp>
 #include <pelage/order/k_buffer.hpp>
 #include <pelage/order/list_storage.hpp>
 #include <pelage/order/ordered_list.hpp>
@@ -134,6 +136,18 @@ template vec3 any_normal(const vec3&) noexcept;
 // order
 template struct k_buffer<16u>;
 template struct k_buffer<13u>;
+template struct group_select<2u>;
+template struct group_select<3u>;
+template void group_select<2u>::limit(const subgroup&) noexcept;
+template void group_select<2u>::insert(subgroup&, fragment, std::uint32_t) noexcept;
+template void group_select<2u>::finish(subgroup&) noexcept;
+template std::uint32_t group_select<2u>::held(const subgroup&) const noexcept;
+template placed_fragment group_select<2u>::at(const subgroup&, std::uint32_t) const noexcept;
+template void group_select<3u>::limit(const subgroup&) noexcept;
+template void group_select<3u>::insert(subgroup&, fragment, std::uint32_t) noexcept;
+template void group_select<3u>::finish(subgroup&) noexcept;
+template std::uint32_t group_select<3u>::held(const subgroup&) const noexcept;
+template placed_fragment group_select<3u>::at(const subgroup&, std::uint32_t) const noexcept;
 template void sort_network<16u>(std::array<fragment, 16>&) noexcept;
 template void sort_network<13u>(std::array<fragment, 13>&) noexcept;
 template std::uint32_t take_node(atomic_list_storage&) noexcept;

@@ -82,6 +82,7 @@ struct unit {
   std::map<std::string, cell> cells;
   std::set<std::string> memory_orders;  ///< of the files below
   bool uses_int64 = false;
+  bool uses_subgroup = false;
 };
 
 /// The headers of one translation unit, each with what its mirror holds.

@@ -177,6 +177,15 @@ constexpr const char* atomic_int64_check =
 #endif
 )";
 
+constexpr const char* subgroup_text = R"(
+#if !defined(GL_KHR_shader_subgroup_ballot) || !defined(GL_KHR_shader_subgroup_shuffle)
+#error {0} needs subgroups: the extensions GL_KHR_shader_subgroup_ballot and GL_KHR_shader_subgroup_shuffle
+#endif
+#ifndef PELAGE_SUBGROUP_SIZE
+#define PELAGE_SUBGROUP_SIZE gl_SubgroupSize
+#endif
+)";
+
 std::string cells_text(const unit& u, const glossary& words) {
   std::string text;
   std::string checks;
@@ -255,6 +264,7 @@ std::string file_text(const unit& u, const glossary& words, problems& found) {
   text += sized ? sizes_text(u) + prefix_text(u, names, includes) : filled("#ifndef {0}\n#define {0}\n", once);
   if (u.uses_int64) text += filled(int64_check, u.path);
   if (u.memory_orders.count(memory_order_64_path) != 0) text += filled(atomic_int64_check, u.path);
+  if (u.uses_subgroup) text += filled(subgroup_text, u.path);
   text += includes_text(u, includes) + borrowed_text(names) + cells_text(u, words);
   for (const auto& [space, doc] : u.docs)
     text += "\n" + words.in_glsl(doc, space, u.header);

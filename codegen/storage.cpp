@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// Cells that the shader provides, atomics on them, and what std::memory_order is to the mirror.
+// Cells that the shader provides, atomics on them, what std::memory_order is to the mirror, and the subgroup.
 #include "names.hpp"
 #include "translator.hpp"
 
@@ -67,6 +67,26 @@ std::string translator::atomic(const CallExpr* c, const Expr* reference, const s
   if (operation == nullptr) return reject(c, "std::atomic_ref::" + name + " has no GLSL form");
   const std::string value = fenced("pelage_release", arg(0), arg(1));
   return fenced("pelage_acquire", filled("{0}({1}, {2})", operation, target, value), arg(1));
+}
+
+/// What a function of pelage::subgroup does: in C++ the group is one lane, so its body is not what GLSL needs. {0} and
+/// {1} are the parameters.
+std::string translator::subgroup_body(const FunctionDecl* f) {
+  const auto* method = dyn_cast<CXXMethodDecl>(f);
+  if (method == nullptr || method->getParent()->getQualifiedNameAsString() != "pelage::subgroup") return {};
+  const auto* text = llvm::StringSwitch<const char*>(f->getName())
+                         .Case("size", "return PELAGE_SUBGROUP_SIZE;")
+                         .Case("lane", "return gl_SubgroupInvocationID;")
+                         .Case("shuffle", "return subgroupShuffle({0}, {1});")
+                         .Case("shuffle_xor", "return subgroupShuffleXor({0}, {1});")
+                         .Case("count", "return subgroupBallotBitCount(subgroupBallot({0}));")
+                         .Case("count_below", "return subgroupBallotExclusiveBitCount(subgroupBallot({0}));")
+                         .Case("barrier", "subgroupBarrier();")
+                         .Default(nullptr);
+  if (text == nullptr) return {};  // its words are cells as any
+  fresh_->where->uses_subgroup = true;
+  const auto name = [&](unsigned i) { return i < f->getNumParams() ? renamed_[f->getParamDecl(i)] : std::string(); };
+  return "{\n" + filled(text, name(0), name(1)) + "\n}";
 }
 
 namespace {

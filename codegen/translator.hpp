@@ -139,6 +139,7 @@ class translator {
   const clang::Expr* counted_span(const clang::CastExpr* c) const;
   std::string atomic(const clang::CallExpr* c, const clang::Expr* reference, const std::string& name, unsigned first,
                      position at);
+  std::string subgroup_body(const clang::FunctionDecl* f);
 
   // statements.cpp
   std::string statement(const clang::Stmt* s);

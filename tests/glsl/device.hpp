@@ -25,6 +25,7 @@ class device {
   [[nodiscard]] bool is_cpu() const { return device_.physical().is_cpu(); }
   [[nodiscard]] bool has_atomic_int64() const { return device_.has_64_bit_atomics(); }
   [[nodiscard]] std::uint32_t workgroup() const { return workgroup_; }
+  [[nodiscard]] std::uint32_t subgroup() const { return device_.subgroup(); }
   [[nodiscard]] bool validated() const { return device_.driver().validated(); }
   [[nodiscard]] std::uint32_t complaints() const { return device_.driver().complaints(); }
 

@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <pelage/core/assert.hpp>
+#include <pelage/core/fragment.hpp>
+#include <pelage/core/lane_group.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace pelage {
+
+/// A fragment with its depth's key, and where the caller has the rest of it.
+struct placed_fragment {
+  std::uint32_t key;    ///< depth_key() of its depth; all ones for no fragment
+  std::uint32_t id;     ///< the fragment's
+  std::uint32_t place;  ///< any number; it takes no part in the order
+};
+
+/// Stands for none: behind every fragment.
+[[nodiscard]] constexpr placed_fragment no_placed_fragment() noexcept {
+  return placed_fragment{0xffffffffu, 0xffffffffu, 0xffffffffu};
+}
+
+/// The total order of fragments.
+[[nodiscard]] constexpr bool before(placed_fragment a, placed_fragment b) noexcept {
+  return a.key < b.key || (a.key == b.key && a.id < b.id);
+}
+
+/// The K nearest fragments of a pixel, kept by all W lanes of a group together: a K-buffer with a slot a lane, sorted
+/// at all times. `Rows`: slots of a lane; K is in [1, Rows · W].
+///
+/// Each lane has an object of its own. All lanes call every function but clear(), offer_depth() and is_behind()
+/// together, with the same k and the same slot. Each fragment is offered once in each of two passes, to any lane. The
+/// first may be left out: it does not change the result, which depends on the set of fragments alone, but the K-th
+/// least of the lanes' least depths bounds the K nearest, and few lie within it (at K = W / 2 about 1.4 K of however
+/// many). In the second, fragments within the bound are gathered until there is one for each lane, sorted by Batcher's
+/// bitonic network [Batcher 1968] and merged with the slots, whose last one is the bound from then on.
+///
+/// Ties in depth go to the smaller id; of fragments equal in both any may be kept, each once. What is_fragment()
+/// refuses is left out. A fragment costs O(1), a merge of W of them O((Rows + log W) log W) shuffles. 12 Rows + 24
+/// bytes a lane, in registers where k and Rows are constants, and the words [0, 6 W) of the group.
+template <std::uint32_t Rows>
+struct group_select {
+  std::array<placed_fragment, Rows> slot;  ///< row r of lane l is slot r · W + l, nearest first; valid after finish()
+  placed_fragment bound;                   ///< none of the K nearest is behind it; after finish() slot K - 1
+  std::uint32_t k;                         ///< K; what stands in later slots means nothing
+  std::uint32_t waiting;                   ///< fragments gathered and not yet in the slots, [0, W)
+  std::uint32_t least;                     ///< of the depth keys that this lane was offered, all ones before
+
+  /// Holds nothing from now on. In place, so that a shader's Rows may be a specialization constant.
+  constexpr void clear(std::uint32_t k_nearest) noexcept;
+
+  /// First pass: notes the depth of a fragment, which some lane must insert.
+  constexpr void offer_depth(fragment offered) noexcept {
+    least = is_fragment(offered) ? std::min(least, depth_key(offered.depth)) : least;
+  }
+
+  /// Ends the first pass. Does nothing where K > W / 2, where it would not pay; nor does it pay for W fragments or
+  /// fewer.
+  template <lane_group Group>
+  void limit(const Group& group) noexcept;
+
+  /// Second pass: takes one fragment from each lane, no_fragment() from a lane that has none.
+  template <lane_group Group>
+  void insert(Group& group, fragment offered, std::uint32_t place) noexcept;
+
+  /// Ends the second pass: merges what waits.
+  template <lane_group Group>
+  void finish(Group& group) noexcept;
+
+  /// Fragments held after finish(), [0, K].
+  template <lane_group Group>
+  [[nodiscard]] std::uint32_t held(const Group& group) const noexcept;
+
+  /// The fragment in slot i after finish(), for every lane; no_placed_fragment() from held() on. `i`: [0, K).
+  template <lane_group Group>
+  [[nodiscard]] placed_fragment at(const Group& group, std::uint32_t i) const noexcept;
+
+  /// After finish(): true for a fragment behind the last of K slots. That is every one which is not held where ids are
+  /// unique; one equal to the last and not held is not behind it. False for what is_fragment() refuses.
+  [[nodiscard]] constexpr bool is_behind(fragment f) const noexcept {
+    return is_fragment(f) && before(bound, placed_fragment{depth_key(f.depth), f.id, 0u});
+  }
+
+  /// Moves the last of what waits into the slots, one for each lane as far as there are.
+  template <lane_group Group>
+  void merge(Group& group) noexcept;
+};
+
+/// Sorts blocks of lanes of which each holds a bitonic sequence: every other block nearest first, those between the
+/// other way round; one of all lanes is nearest first. `block`: a power of two, [2, W]. log block shuffles.
+template <lane_group Group>
+[[nodiscard]] placed_fragment sort_bitonic(const Group& group, placed_fragment mine, std::uint32_t block) noexcept;
+
+/// The same for numbers, the least first.
+template <lane_group Group>
+[[nodiscard]] std::uint32_t sort_bitonic(const Group& group, std::uint32_t mine, std::uint32_t block) noexcept;
+
+/// True for the lane of a pair that gets what comes first, in the step of sort_bitonic() with this stride.
+template <lane_group Group>
+[[nodiscard]] bool gets_first(const Group& group, std::uint32_t block, std::uint32_t stride) noexcept {
+  const std::uint32_t set = group.lane() & (block | stride);
+  return set == 0u || set == (block | stride);
+}
+
+/// What the lane of another number holds.
+template <lane_group Group>
+[[nodiscard]] placed_fragment shuffle(const Group& group, placed_fragment mine, std::uint32_t from) noexcept {
+  return placed_fragment{group.shuffle(mine.key, from), group.shuffle(mine.id, from), group.shuffle(mine.place, from)};
+}
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <std::uint32_t Rows>
+constexpr void group_select<Rows>::clear(std::uint32_t k_nearest) noexcept {
+  for (std::uint32_t row = 0u; row < Rows; ++row) {
+    slot[row] = no_placed_fragment();
+  }
+  bound = no_placed_fragment();
+  k = k_nearest;
+  waiting = 0u;
+  least = 0xffffffffu;
+}
+
+template <std::uint32_t Rows>
+template <lane_group Group>
+void group_select<Rows>::limit(const Group& group) noexcept {
+  if (2u * k <= group.size()) {
+    std::uint32_t sorted = least;
+    for (std::uint32_t block = 2u; block <= group.size(); block *= 2u) {
+      sorted = sort_bitonic(group, sorted, block);
+    }
+    bound.key = group.shuffle(sorted, k - 1u);
+  }
+}
+
+template <std::uint32_t Rows>
+template <lane_group Group>
+void group_select<Rows>::insert(Group& group, fragment offered, std::uint32_t place) noexcept {
+  PELAGE_ASSERT(k >= 1u && k <= Rows * group.size());
+  const placed_fragment mine = placed_fragment{depth_key(offered.depth), offered.id, place};
+  const bool is_near = is_fragment(offered) && !before(bound, mine);
+  const std::uint32_t word = 3u * (waiting + group.count_below(is_near));
+  if (is_near) {
+    group.store(word, mine.key);
+    group.store(word + 1u, mine.id);
+    group.store(word + 2u, mine.place);
+  }
+  waiting += group.count(is_near);
+  if (waiting >= group.size()) {
+    merge(group);
+  }
+}
+
+template <std::uint32_t Rows>
+template <lane_group Group>
+void group_select<Rows>::finish(Group& group) noexcept {
+  if (waiting > 0u) {
+    merge(group);
+  }
+}
+
+template <std::uint32_t Rows>
+template <lane_group Group>
+void group_select<Rows>::merge(Group& group) noexcept {
+  const std::uint32_t taken = std::min(waiting, group.size());
+  waiting -= taken;
+  group.barrier();
+  const std::uint32_t word = 3u * (waiting + std::min(group.lane(), taken - 1u));
+  const placed_fragment gathered = placed_fragment{group.load(word), group.load(word + 1u), group.load(word + 2u)};
+  group.barrier();
+  placed_fragment carried = group.lane() < taken ? gathered : no_placed_fragment();
+  for (std::uint32_t block = 2u; block <= group.size(); block *= 2u) {
+    carried = sort_bitonic(group, carried, block);
+  }
+  for (std::uint32_t row = 0u; row < Rows; ++row) {
+    const placed_fragment other = shuffle(group, carried, group.size() - 1u - group.lane());
+    const bool swap = before(other, slot[row]);
+    const placed_fragment near = swap ? other : slot[row];
+    const placed_fragment far = swap ? slot[row] : other;
+    slot[row] = sort_bitonic(group, near, group.size());
+    carried = sort_bitonic(group, far, group.size());
+  }
+  const placed_fragment last = at(group, k - 1u);
+  bound = before(last, bound) ? last : bound;
+}
+
+template <std::uint32_t Rows>
+template <lane_group Group>
+std::uint32_t group_select<Rows>::held(const Group& group) const noexcept {
+  std::uint32_t count = 0u;
+  for (std::uint32_t row = 0u; row < Rows; ++row) {
+    count += group.count(slot[row].key != 0xffffffffu);
+  }
+  return std::min(count, k);
+}
+
+template <std::uint32_t Rows>
+template <lane_group Group>
+placed_fragment group_select<Rows>::at(const Group& group, std::uint32_t i) const noexcept {
+  placed_fragment found = no_placed_fragment();
+  for (std::uint32_t row = 0u; row < Rows; ++row) {
+    const placed_fragment there = shuffle(group, slot[row], i % group.size());
+    found = row == i / group.size() ? there : found;
+  }
+  return found;
+}
+
+template <lane_group Group>
+placed_fragment sort_bitonic(const Group& group, placed_fragment mine, std::uint32_t block) noexcept {
+  placed_fragment sorted = mine;
+  for (std::uint32_t stride = block / 2u; stride > 0u; stride /= 2u) {
+    const placed_fragment other =
+        placed_fragment{group.shuffle_xor(sorted.key, stride), group.shuffle_xor(sorted.id, stride),
+                        group.shuffle_xor(sorted.place, stride)};
+    const bool swap = gets_first(group, block, stride) ? before(other, sorted) : before(sorted, other);
+    sorted = swap ? other : sorted;
+  }
+  return sorted;
+}
+
+template <lane_group Group>
+std::uint32_t sort_bitonic(const Group& group, std::uint32_t mine, std::uint32_t block) noexcept {
+  std::uint32_t sorted = mine;
+  for (std::uint32_t stride = block / 2u; stride > 0u; stride /= 2u) {
+    const std::uint32_t other = group.shuffle_xor(sorted, stride);
+    sorted = gets_first(group, block, stride) ? std::min(sorted, other) : std::max(sorted, other);
+  }
+  return sorted;
+}
+
+}  // namespace pelage
