@@ -44,12 +44,12 @@ struct placed_fragment {
 template <std::uint32_t Rows>
 struct group_select {
   std::array<placed_fragment, Rows> slot;  ///< row r of lane l is slot r · W + l, nearest first; valid after finish()
-  placed_fragment bound;                   ///< none of the K nearest is behind it; after finish() slot K - 1
+  placed_fragment bound;                   ///< what is not before it need not be held; after finish() slot K - 1
   std::uint32_t k;                         ///< K; what stands in later slots means nothing
   std::uint32_t waiting;                   ///< fragments gathered and not yet in the slots, [0, W)
   std::uint32_t least;                     ///< of the depth keys that this lane was offered, all ones before
 
-  /// Holds nothing from now on. In place, so that a shader's Rows may be a specialization constant.
+  /// Holds nothing from now on. `k_nearest`: K. In place, so that in a shader Rows may be a specialization constant.
   constexpr void clear(std::uint32_t k_nearest) noexcept;
 
   /// First pass: notes the depth of a fragment, which some lane must insert.
@@ -141,7 +141,7 @@ template <lane_group Group>
 void group_select<Rows>::insert(Group& group, fragment offered, std::uint32_t place) noexcept {
   PELAGE_ASSERT(k >= 1u && k <= Rows * group.size());
   const placed_fragment mine = placed_fragment{depth_key(offered.depth), offered.id, place};
-  const bool is_near = is_fragment(offered) && !before(bound, mine);
+  const bool is_near = is_fragment(offered) && before(mine, bound);
   const std::uint32_t word = 3u * (waiting + group.count_below(is_near));
   if (is_near) {
     group.store(word, mine.key);

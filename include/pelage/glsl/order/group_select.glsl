@@ -67,13 +67,14 @@ bool pelage_before(pelage_placed_fragment a, pelage_placed_fragment b) {
 struct pelage_group_select {
   pelage_placed_fragment slot[PELAGE_GROUP_SELECT_ROWS];  ///< row r of lane l is slot r · W + l, nearest first; valid
                                                           ///< after pelage_group_select_finish()
-  pelage_placed_fragment bound;  ///< none of the K nearest is behind it; after pelage_group_select_finish() slot K - 1
+  pelage_placed_fragment bound;  ///< what is not before it need not be held; after pelage_group_select_finish() slot K
+                                 ///< - 1
   uint k;                        ///< K; what stands in later slots means nothing
   uint waiting;                  ///< fragments gathered and not yet in the slots, [0, W)
   uint least;                    ///< of the depth keys that this lane was offered, all ones before
 };
 
-/// Holds nothing from now on. In place, so that a shader's Rows may be a specialization constant.
+/// Holds nothing from now on. `k_nearest`: K. In place, so that in a shader Rows may be a specialization constant.
 void pelage_group_select_clear(inout pelage_group_select self, uint k_nearest);
 
 /// First pass: notes the depth of a fragment, which some lane must insert.
@@ -156,7 +157,7 @@ void pelage_group_select_limit(inout pelage_group_select self) {
 
 void pelage_group_select_insert(inout pelage_group_select self, pelage_fragment offered, uint place) {
   const pelage_placed_fragment mine = pelage_placed_fragment(pelage_depth_key(offered.depth), offered.id, place);
-  const bool is_near = pelage_is_fragment(offered) && !pelage_before(self.bound, mine);
+  const bool is_near = pelage_is_fragment(offered) && pelage_before(mine, self.bound);
   const uint word = 3u * (self.waiting + pelage_subgroup_count_below(is_near));
   if (is_near) {
     pelage_subgroup_store(word, mine.key);
