@@ -8,14 +8,31 @@
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_shuffle : require
-#include "nearest.glsl"
+#include "selection.glsl"
 #include "camera_sink.glsl"
 
-pelage_fragment offered_at(uint i) {
+pelage_group_select nearest;
+
+pelage_fragment fragment_at(uint i) {
   return pelage_fragment(uintBitsToFloat(records[i].x), records[i].y);
 }
 
-void look_at(pelage_fragment f) {}
+/// Takes in the run [begin, end).
+void select_from(uint begin, uint end) {
+  pelage_group_select_clear(nearest, uint(K));
+  if (end - begin > lanes) {
+    for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
+      pelage_group_select_offer_depth(nearest, fragment_at(i));
+    }
+    pelage_group_select_limit(nearest);
+  }
+  for (uint from = begin; from < end; from += lanes) {
+    const uint i = from + gl_SubgroupInvocationID;
+    const pelage_fragment f = fragment_at(min(i, end - 1u));
+    pelage_group_select_insert(nearest, pelage_fragment(f.depth, i < end ? f.id : pelage_no_fragment().id), i);
+  }
+  pelage_group_select_finish(nearest);
+}
 
 /// What a record tells of its fragment.
 seen_fibre see_record(uvec4 record) {
@@ -25,7 +42,7 @@ seen_fibre see_record(uvec4 record) {
 /// The K nearest over each other, in all lanes.
 void add_nearest(uint held) {
   for (uint row = 0u; row * lanes < held; ++row) {
-    const seen_fibre mine = see_record(records[row * lanes + gl_SubgroupInvocationID < held ? nearest[row].z : 0u]);
+    const seen_fibre mine = see_record(records[row * lanes + gl_SubgroupInvocationID < held ? nearest.slot[row].place : 0u]);
     for (uint lane = 0u; lane < min(held - row * lanes, lanes); ++lane) {
       sink_add(seen_fibre(subgroupShuffle(mine.radiance, lane), subgroupShuffle(mine.opacity, lane),
                           subgroupShuffle(mine.coverage, lane)));
@@ -54,15 +71,14 @@ void main() {
   if (begin == end) {
     return;  // the background is there already
   }
-  const uint held = min(end - begin, uint(K));
-  select_nearest(begin, end);
+  select_from(begin, end);
+  const uint held = pelage_group_select_held(nearest);
   sink_begin(at, false);
   add_nearest(held);
   if (end - begin > held) {
-    const uvec3 last = in_slot(uint(K) - 1u);
     for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
       const uvec4 record = records[i];
-      if (key_before(last, uvec3(pelage_depth_key(uintBitsToFloat(record.x)), record.yz))) {
+      if (pelage_group_select_is_behind(nearest, pelage_fragment(uintBitsToFloat(record.x), record.y))) {
         sink_put_behind(see_record(record));
       }
     }

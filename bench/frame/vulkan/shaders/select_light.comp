@@ -9,7 +9,7 @@
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_shuffle : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
-#include "nearest.glsl"
+#include "selection.glsl"
 #include "pelage/glsl/composite/optical_depth.glsl"
 #include "texel.glsl"
 
@@ -18,15 +18,31 @@ uint low_sum = 0u;
 uint high_sum = 0u;
 float farthest = 0.0;
 
-pelage_fragment offered_at(uint i) {
-  return pool[i];
-}
+pelage_group_select nearest;
 
-void look_at(pelage_fragment f) {
+void sum(pelage_fragment f) {
   uint carry;
   low_sum = uaddCarry(low_sum, f.id, carry);
   high_sum += carry;
   farthest = max(farthest, f.depth);
+}
+
+/// Takes in the run [begin, end), and sums it.
+void select_from(uint begin, uint end) {
+  pelage_group_select_clear(nearest, uint(K));
+  for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
+    sum(pool[i]);
+    pelage_group_select_offer_depth(nearest, pool[i]);
+  }
+  if (end - begin > lanes) {
+    pelage_group_select_limit(nearest);
+  }
+  for (uint from = begin; from < end; from += lanes) {
+    const uint i = from + gl_SubgroupInvocationID;
+    const pelage_fragment f = pool[min(i, end - 1u)];
+    pelage_group_select_insert(nearest, pelage_fragment(f.depth, i < end ? f.id : pelage_no_fragment().id), i);
+  }
+  pelage_group_select_finish(nearest);
 }
 
 /// The optical depth of the whole run less what is kept, clamped to the end of the range.
@@ -47,22 +63,22 @@ void main() {
   const uint pixel = VIEW.first_pixel + index_of(at);
   const uint begin = runs[pixel].x;
   const uint end = min(counts[pixel], runs[pixel].y);
-  const uint held = min(end - begin, uint(K));
-  select_nearest(begin, end);
+  select_from(begin, end);
+  const uint held = pelage_group_select_held(nearest);
 
   const uint first = pixel * uint(K);
   uint optical = 0u;
   for (uint row = 0u; row < rows; ++row) {
     const uint slot = row * lanes + gl_SubgroupInvocationID;
-    const uint own = slot < held ? nearest[row].y : 0u;
+    const uint own = slot < held ? nearest.slot[row].id : 0u;
     // No sum of 64 comes near the end of the range.
     const uint up_to = optical + subgroupInclusiveAdd(own);
     optical += subgroupAdd(own);
     if (slot < held) {
-      entries[first + slot] = uvec2(floatBitsToUint(pelage_depth_from_key(nearest[row].x)), up_to);
+      entries[first + slot] = uvec2(floatBitsToUint(pelage_depth_from_key(nearest.slot[row].key)), up_to);
     }
   }
-  const float last_depth = held > 0u ? pelage_depth_from_key(in_slot(held - 1u).x) : 0.0;
+  const float last_depth = held > 0u ? pelage_depth_from_key(pelage_group_select_at(nearest, held - 1u).key) : 0.0;
   const bool is_rest = end - begin > held;
   const uint rest = behind(optical);
   const float rest_depth = subgroupMax(farthest);
