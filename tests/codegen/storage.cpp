@@ -16,5 +16,6 @@ template std::uint32_t place_in<6u>(const cells&, std::uint32_t) noexcept;
 template std::uint32_t place_in<9u>(const cells&, std::uint32_t) noexcept;
 template histogram<6u> load_histogram(const cells&, std::uint32_t) noexcept;
 template histogram<9u> load_histogram(const cells&, std::uint32_t) noexcept;
+template std::uint32_t use_lanes(pelage::subgroup&, std::uint32_t) noexcept;
 
 }  // namespace features

@@ -39,6 +39,7 @@ uint[FEATURES_TALLY_N] FEATURES_TALLY_N_has_one_value_in_a_shader();
 
 #include "core/memory_order.glsl"
 #include "core/memory_order_64.glsl"
+#include "pelage/glsl/core/lane_group.glsl"
 
 // The shader says where these cells lie before it includes this file; those that others write
 // meanwhile belong into a coherent buffer:
@@ -163,6 +164,22 @@ features_histogram features_load_histogram(uint first) {
   }
   return result;
 }
+
+#ifndef STORAGE_GLSL_ONCE
+
+/// A subgroup vanishes from signatures as storage does; what it can do is GLSL's.
+uint features_use_lanes(uint x) {
+  uint sum = x;
+  for (uint bits = pelage_subgroup_size() / 2u; bits > 0u; bits /= 2u) {
+    sum += pelage_subgroup_shuffle_xor(sum, bits);
+  }
+  pelage_subgroup_store(pelage_subgroup_lane(),
+                        sum + pelage_subgroup_count(x > 3u) + pelage_subgroup_count_below(x > 5u));
+  pelage_subgroup_barrier();
+  return pelage_subgroup_load(pelage_subgroup_size() - 1u - pelage_subgroup_lane()) ^ pelage_subgroup_shuffle(sum, 0u);
+}
+
+#endif
 
 #define STORAGE_GLSL_ONCE
 

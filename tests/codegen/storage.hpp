@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/atomic_cells.hpp>
+#include <pelage/core/lane_group.hpp>
 
 #include <array>
 #include <atomic>
@@ -110,6 +111,18 @@ template <class Histogram, class Cells>
     result.held[i] = storage.load(first + i, std::memory_order_relaxed);
   }
   return result;
+}
+
+/// A subgroup vanishes from signatures as storage does; what it can do is GLSL's.
+template <pelage::lane_group Group>
+[[nodiscard]] std::uint32_t use_lanes(Group& group, std::uint32_t x) noexcept {
+  std::uint32_t sum = x;
+  for (std::uint32_t bits = group.size() / 2u; bits > 0u; bits /= 2u) {
+    sum += group.shuffle_xor(sum, bits);
+  }
+  group.store(group.lane(), sum + group.count(x > 3u) + group.count_below(x > 5u));
+  group.barrier();
+  return group.load(group.size() - 1u - group.lane()) ^ group.shuffle(sum, 0u);
 }
 
 }  // namespace features

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// Lanes that run one program on data of their own, see into each other's, and share words of memory: in a shader a
 /// subgroup. size() is a power of two; lane() is this lane's number, [0, size()).

@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// A fragment with its depth's key, and where the caller has the rest of it.
 struct placed_fragment {
