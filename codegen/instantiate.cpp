@@ -56,6 +56,7 @@
 #include <pelage/order/atomic_k_buffer.hpp>
 #include <pelage/order/group_select.hpp>
 #include <pelage/order/k_buffer.hpp>
+#include <pelage/order/lane_sort.hpp>
 #include <pelage/order/list_storage.hpp>
 #include <pelage/order/ordered_list.hpp>
 #include <pelage/order/packed_fragment.hpp>

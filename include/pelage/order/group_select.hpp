@@ -4,29 +4,13 @@
 #include <pelage/core/assert.hpp>
 #include <pelage/core/fragment.hpp>
 #include <pelage/core/lane_group.hpp>
+#include <pelage/order/lane_sort.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
 namespace pelage::inline PELAGE_ABI {
-
-/// A fragment with its depth's key, and where the caller has the rest of it.
-struct placed_fragment {
-  std::uint32_t key;    ///< depth_key() of its depth; all ones for no fragment
-  std::uint32_t id;     ///< the fragment's
-  std::uint32_t place;  ///< any number; it takes no part in the order
-};
-
-/// Stands for none: behind every fragment.
-[[nodiscard]] constexpr placed_fragment no_placed_fragment() noexcept {
-  return placed_fragment{0xffffffffu, 0xffffffffu, 0xffffffffu};
-}
-
-/// The total order of fragments.
-[[nodiscard]] constexpr bool before(placed_fragment a, placed_fragment b) noexcept {
-  return a.key < b.key || (a.key == b.key && a.id < b.id);
-}
 
 /// The K nearest fragments of a pixel, kept by all W lanes of a group together: a K-buffer with a slot a lane, sorted
 /// at all times. `Rows`: slots of a lane; K is in [1, Rows · W].
@@ -35,8 +19,8 @@ struct placed_fragment {
 /// together, with the same k and the same slot. Each fragment is offered once in each of two passes, to any lane. The
 /// first may be left out: it does not change the result, which depends on the set of fragments alone, but the K-th
 /// least of the lanes' least depths bounds the K nearest, and few lie within it (at K = W / 2 about 1.4 K of however
-/// many). In the second, fragments within the bound are gathered until there is one for each lane, sorted by Batcher's
-/// bitonic network [Batcher 1968] and merged with the slots, whose last one is the bound from then on.
+/// many). In the second, fragments within the bound are gathered until there is one for each lane, sorted and merged
+/// with the slots, of which slot K - 1 is the bound from then on.
 ///
 /// Ties in depth go to the smaller id; of fragments equal in both any may be kept, each once. What is_fragment()
 /// refuses is left out. A fragment costs O(1), a merge of W of them O((Rows + log W) log W) shuffles. 12 Rows + 24
@@ -89,28 +73,6 @@ struct group_select {
   void merge(Group& group) noexcept;
 };
 
-/// Sorts blocks of lanes of which each holds a bitonic sequence: every other block nearest first, those between the
-/// other way round; one of all lanes is nearest first. `block`: a power of two, [2, W]. log block shuffles.
-template <lane_group Group>
-[[nodiscard]] placed_fragment sort_bitonic(const Group& group, placed_fragment mine, std::uint32_t block) noexcept;
-
-/// The same for numbers, the least first.
-template <lane_group Group>
-[[nodiscard]] std::uint32_t sort_bitonic(const Group& group, std::uint32_t mine, std::uint32_t block) noexcept;
-
-/// True for the lane of a pair that gets what comes first, in the step of sort_bitonic() with this stride.
-template <lane_group Group>
-[[nodiscard]] bool gets_first(const Group& group, std::uint32_t block, std::uint32_t stride) noexcept {
-  const std::uint32_t set = group.lane() & (block | stride);
-  return set == 0u || set == (block | stride);
-}
-
-/// What the lane of another number holds.
-template <lane_group Group>
-[[nodiscard]] placed_fragment shuffle(const Group& group, placed_fragment mine, std::uint32_t from) noexcept {
-  return placed_fragment{group.shuffle(mine.key, from), group.shuffle(mine.id, from), group.shuffle(mine.place, from)};
-}
-
 // ---------------------------------------------------------------------------------------------------------
 
 template <std::uint32_t Rows>
@@ -128,11 +90,7 @@ template <std::uint32_t Rows>
 template <lane_group Group>
 void group_select<Rows>::limit(const Group& group) noexcept {
   if (2u * k <= group.size()) {
-    std::uint32_t sorted = least;
-    for (std::uint32_t block = 2u; block <= group.size(); block *= 2u) {
-      sorted = sort_bitonic(group, sorted, block);
-    }
-    bound.key = group.shuffle(sorted, k - 1u);
+    bound.key = group.shuffle(sort_lanes(group, least), k - 1u);
   }
 }
 
@@ -171,10 +129,7 @@ void group_select<Rows>::merge(Group& group) noexcept {
   const std::uint32_t word = 3u * (waiting + std::min(group.lane(), taken - 1u));
   const placed_fragment gathered = placed_fragment{group.load(word), group.load(word + 1u), group.load(word + 2u)};
   group.barrier();
-  placed_fragment carried = group.lane() < taken ? gathered : no_placed_fragment();
-  for (std::uint32_t block = 2u; block <= group.size(); block *= 2u) {
-    carried = sort_bitonic(group, carried, block);
-  }
+  placed_fragment carried = sort_lanes(group, group.lane() < taken ? gathered : no_placed_fragment());
   for (std::uint32_t row = 0u; row < Rows; ++row) {
     const placed_fragment other = shuffle(group, carried, group.size() - 1u - group.lane());
     const bool swap = before(other, slot[row]);
@@ -206,29 +161,6 @@ placed_fragment group_select<Rows>::at(const Group& group, std::uint32_t i) cons
     found = row == i / group.size() ? there : found;
   }
   return found;
-}
-
-template <lane_group Group>
-placed_fragment sort_bitonic(const Group& group, placed_fragment mine, std::uint32_t block) noexcept {
-  placed_fragment sorted = mine;
-  for (std::uint32_t stride = block / 2u; stride > 0u; stride /= 2u) {
-    const placed_fragment other =
-        placed_fragment{group.shuffle_xor(sorted.key, stride), group.shuffle_xor(sorted.id, stride),
-                        group.shuffle_xor(sorted.place, stride)};
-    const bool swap = gets_first(group, block, stride) ? before(other, sorted) : before(sorted, other);
-    sorted = swap ? other : sorted;
-  }
-  return sorted;
-}
-
-template <lane_group Group>
-std::uint32_t sort_bitonic(const Group& group, std::uint32_t mine, std::uint32_t block) noexcept {
-  std::uint32_t sorted = mine;
-  for (std::uint32_t stride = block / 2u; stride > 0u; stride /= 2u) {
-    const std::uint32_t other = group.shuffle_xor(sorted, stride);
-    sorted = gets_first(group, block, stride) ? std::min(sorted, other) : std::max(sorted, other);
-  }
-  return sorted;
 }
 
 }  // namespace pelage

@@ -28,27 +28,7 @@ uint[PELAGE_GROUP_SELECT_ROWS] PELAGE_GROUP_SELECT_ROWS_has_one_value_in_a_shade
 
 #include "../core/fragment.glsl"
 #include "../core/lane_group.glsl"
-
-#ifndef PELAGE_ORDER_GROUP_SELECT_GLSL_ONCE
-
-/// A fragment with its depth's key, and where the caller has the rest of it.
-struct pelage_placed_fragment {
-  uint key;    ///< pelage_depth_key() of its depth; all ones for no fragment
-  uint id;     ///< the fragment's
-  uint place;  ///< any number; it takes no part in the order
-};
-
-/// Stands for none: behind every fragment.
-pelage_placed_fragment pelage_no_placed_fragment() {
-  return pelage_placed_fragment(0xffffffffu, 0xffffffffu, 0xffffffffu);
-}
-
-/// The total order of fragments.
-bool pelage_before(pelage_placed_fragment a, pelage_placed_fragment b) {
-  return a.key < b.key || (a.key == b.key && a.id < b.id);
-}
-
-#endif
+#include "lane_sort.glsl"
 
 /// The K nearest fragments of a pixel, kept by all W lanes of a group together: a K-buffer with a slot a lane, sorted
 /// at all times. `PELAGE_GROUP_SELECT_ROWS`: slots of a lane; K is in [1, Rows · W].
@@ -58,8 +38,8 @@ bool pelage_before(pelage_placed_fragment a, pelage_placed_fragment b) {
 /// Each fragment is offered once in each of two passes, to any lane. The first may be left out: it does not change the
 /// result, which depends on the set of fragments alone, but the K-th least of the lanes' least depths bounds the K
 /// nearest, and few lie within it (at K = W / 2 about 1.4 K of however many). In the second, fragments within the bound
-/// are gathered until there is one for each lane, sorted by Batcher's bitonic network [Batcher 1968] and merged with
-/// the slots, whose last one is the bound from then on.
+/// are gathered until there is one for each lane, sorted and merged with the slots, of which slot K - 1 is the bound
+/// from then on.
 ///
 /// Ties in depth go to the smaller id; of fragments equal in both any may be kept, each once. What pelage_is_fragment()
 /// refuses is left out. A fragment costs O(1), a merge of W of them O((Rows + log W) log W) shuffles. 12 Rows + 24
@@ -110,29 +90,6 @@ bool pelage_group_select_is_behind(pelage_group_select self, pelage_fragment f) 
 /// Moves the last of what waits into the slots, one for each lane as far as there are.
 void pelage_group_select_merge(inout pelage_group_select self);
 
-#ifndef PELAGE_ORDER_GROUP_SELECT_GLSL_ONCE
-
-/// Sorts blocks of lanes of which each holds a bitonic sequence: every other block nearest first, those between the
-/// other way round; one of all lanes is nearest first. `block`: a power of two, [2, W]. log block shuffles.
-pelage_placed_fragment pelage_sort_bitonic(pelage_placed_fragment mine, uint block);
-
-/// The same for numbers, the least first.
-uint pelage_sort_bitonic(uint mine, uint block);
-
-/// True for the lane of a pair that gets what comes first, in the step of pelage_sort_bitonic() with this stride.
-bool pelage_gets_first(uint block, uint stride) {
-  const uint set = pelage_subgroup_lane() & (block | stride);
-  return set == 0u || set == (block | stride);
-}
-
-/// What the lane of another number holds.
-pelage_placed_fragment pelage_shuffle(pelage_placed_fragment mine, uint from) {
-  return pelage_placed_fragment(pelage_subgroup_shuffle(mine.key, from), pelage_subgroup_shuffle(mine.id, from),
-                                pelage_subgroup_shuffle(mine.place, from));
-}
-
-#endif
-
 // ---------------------------------------------------------------------------------------------------------
 
 void pelage_group_select_clear(inout pelage_group_select self, uint k_nearest) {
@@ -147,11 +104,7 @@ void pelage_group_select_clear(inout pelage_group_select self, uint k_nearest) {
 
 void pelage_group_select_limit(inout pelage_group_select self) {
   if (2u * self.k <= pelage_subgroup_size()) {
-    uint sorted = self.least;
-    for (uint block = 2u; block <= pelage_subgroup_size(); block *= 2u) {
-      sorted = pelage_sort_bitonic(sorted, block);
-    }
-    self.bound.key = pelage_subgroup_shuffle(sorted, self.k - 1u);
+    self.bound.key = pelage_subgroup_shuffle(pelage_sort_lanes(self.least), self.k - 1u);
   }
 }
 
@@ -184,10 +137,8 @@ void pelage_group_select_merge(inout pelage_group_select self) {
   const pelage_placed_fragment gathered = pelage_placed_fragment(
       pelage_subgroup_load(word), pelage_subgroup_load(word + 1u), pelage_subgroup_load(word + 2u));
   pelage_subgroup_barrier();
-  pelage_placed_fragment carried = pelage_subgroup_lane() < taken ? gathered : pelage_no_placed_fragment();
-  for (uint block = 2u; block <= pelage_subgroup_size(); block *= 2u) {
-    carried = pelage_sort_bitonic(carried, block);
-  }
+  pelage_placed_fragment carried =
+      pelage_sort_lanes(pelage_subgroup_lane() < taken ? gathered : pelage_no_placed_fragment());
   for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
     const pelage_placed_fragment other = pelage_shuffle(carried, pelage_subgroup_size() - 1u - pelage_subgroup_lane());
     const bool swap = pelage_before(other, self.slot[row]);
@@ -216,33 +167,6 @@ pelage_placed_fragment pelage_group_select_at(pelage_group_select self, uint i) 
   }
   return found;
 }
-
-#ifndef PELAGE_ORDER_GROUP_SELECT_GLSL_ONCE
-
-pelage_placed_fragment pelage_sort_bitonic(pelage_placed_fragment mine, uint block) {
-  pelage_placed_fragment sorted = mine;
-  for (uint stride = block / 2u; stride > 0u; stride /= 2u) {
-    const pelage_placed_fragment other = pelage_placed_fragment(pelage_subgroup_shuffle_xor(sorted.key, stride),
-                                                                pelage_subgroup_shuffle_xor(sorted.id, stride),
-                                                                pelage_subgroup_shuffle_xor(sorted.place, stride));
-    const bool swap = pelage_gets_first(block, stride) ? pelage_before(other, sorted) : pelage_before(sorted, other);
-    sorted = swap ? other : sorted;
-  }
-  return sorted;
-}
-
-uint pelage_sort_bitonic(uint mine, uint block) {
-  uint sorted = mine;
-  for (uint stride = block / 2u; stride > 0u; stride /= 2u) {
-    const uint other = pelage_subgroup_shuffle_xor(sorted, stride);
-    sorted = pelage_gets_first(block, stride) ? min(sorted, other) : max(sorted, other);
-  }
-  return sorted;
-}
-
-#endif
-
-#define PELAGE_ORDER_GROUP_SELECT_GLSL_ONCE
 
 #ifdef PELAGE_PREFIX
 #undef pelage_group_select
