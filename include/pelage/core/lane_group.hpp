@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/version.hpp>
+
 #include <concepts>
 #include <cstdint>
 #include <span>

@@ -8,7 +8,7 @@
 
 /// Sorting across the W lanes of a group, one value a lane, by Batcher's bitonic network [Batcher 1968]: the same
 /// shuffles whatever the data. Not stable. All lanes call each function together.
-namespace pelage {
+namespace pelage::inline PELAGE_ABI {
 
 /// A fragment with its depth's key, and where the caller has the rest of it.
 struct placed_fragment {
