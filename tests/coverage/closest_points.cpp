@@ -223,6 +223,20 @@ TEST_CASE("of a parallel segment the point nearest to the ray's origin is meant,
   CHECK(is(closest_points(origin, direction, at(8.0f), at(4.0f)), 0.0f, 1.0f, 5.0f));
 }
 
+TEST_CASE("a distance scales with all lengths from 2^-40 to 2^60, whatever the direction's length") {
+  holds("by powers of two", [] {
+    const ray_and_segment<float> in = any_ray_and_segment<float>();
+    RC_PRE(in.size() > 0.0f);
+    const int size = *rc::gen::inRange(-40, 59);
+    const int length = *rc::gen::inRange(std::max(-60, -40 - size), std::min(60, 59 - size));
+    const float scale = std::ldexp(1.0f, size - std::ilogb(in.size()));
+    const float stretch = std::ldexp(1.0f, length - std::ilogb(glm::length(in.direction)));
+    const ray_and_segment<float> scaled{scale * in.origin, stretch * in.direction, scale * in.start, scale * in.end};
+    const float expected = scale * closest_of(in).distance;
+    RC_ASSERT(std::abs(closest_of(scaled).distance - expected) <= 1e-6f * scaled.size());
+  });
+}
+
 TEST_CASE("a segment of length 0 is a point") {
   holds("its distance from the ray", [] {
     ray_and_segment<float> in = any_ray_and_segment<float>();

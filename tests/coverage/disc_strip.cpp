@@ -148,6 +148,18 @@ TEST_CASE("a strip that only touches the disc covers none of it, one that reache
   });
 }
 
+TEST_CASE("a share has the same bits at every scale that keeps its lengths exact, discs up to 2^127") {
+  holds("by powers of two", [] {
+    const float disc = 1.0f + 0x1p-23f * static_cast<float>(*rc::gen::inRange(0, 1 << 23));
+    const float fibre = disc * std::exp2(0.01f * static_cast<float>(*rc::gen::inRange(-1000, 200)));
+    const float offset = (disc + fibre) * 1e-3f * static_cast<float>(*rc::gen::inRange(0, 1001));
+    const int exponent = *rc::gen::oneOf(rc::gen::inRange(-100, 127), rc::gen::inRange(120, 127));
+    const auto scaled = [=](float length) { return std::ldexp(length, exponent); };
+    RC_PRE(std::isfinite(scaled(offset)) && std::isfinite(scaled(fibre)));
+    RC_ASSERT(disc_strip_share(scaled(offset), scaled(fibre), scaled(disc)) == disc_strip_share(offset, fibre, disc));
+  });
+}
+
 TEST_CASE("a fibre of radius 0 covers nothing, an infinite one everything") {
   for (const float offset : {0.0f, 0.5f, 1.0f, 1e30f}) {
     CHECK(disc_strip_share(offset, 0.0f, 1.0f) == 0.0f);

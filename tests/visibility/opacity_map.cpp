@@ -82,6 +82,23 @@ TEST_CASE("no light passes 200 opaque fragments, in one layer or in all") {
   CHECK(transmittance_of(map.accumulated_before(4.0f)) == 0.0f);
 }
 
+TEST_CASE("at the end of a layer the sum is exact up to 2^24, and rounded twice a layer by 2^-24 beyond") {
+  holds("amounts of any size", [] {
+    opacity_map<33u> map = opacity_map<33u>::empty();
+    const std::uint32_t most = 1u << *rc::gen::inRange(1u, 27u);
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < 33u; ++i) {
+      map.amount[i] = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0u, most));
+    }
+    for (std::uint32_t i = 0; i < 33u; ++i) {
+      const double found = map.amount_before(static_cast<float>(i));
+      RC_ASSERT(std::abs(found - sum) <= (sum <= 0x1p24 ? 0.0 : 2.0 * i * 0x1p-24 * sum));
+      sum += map.amount[i];
+    }
+    RC_ASSERT(map.amount_before(33.0f) <= sum * (1.0 + 66.0 * 0x1p-24));
+  });
+}
+
 TEST_CASE("both ways to look up agree to rounding") {
   holds("any map, any position", [] {
     const auto map = map_of<opacity<16u>>(draw_entries<opacity<16u>>(1000u));

@@ -12,7 +12,8 @@ namespace pelage::inline PELAGE_ABI {
 /// over the circle. [Yu12 §6]
 ///
 /// `offset`: distance from the disc's centre to the strip's axis; its sign does not matter.
-/// `fibre_radius`: half the strip's width, [0, inf]. `disc_radius`: [0, inf). All in one length unit.
+/// `fibre_radius`: half the strip's width, [0, inf]. `disc_radius`: [0, inf), in float below 2¹²⁷. All in one length
+/// unit.
 ///
 /// In float within 1e-6 relative of the exact area for any ratio of the three, where the area is normal: the area
 /// of a thin strip is integrated over its width instead of subtracting two caps that agree in every digit. In double
