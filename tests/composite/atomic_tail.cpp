@@ -8,6 +8,8 @@
 #include "property.hpp"
 
 #include <array>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -67,6 +69,37 @@ TEST_CASE("ten thousand fragments from four threads make the tail that one threa
   for (int repeat = 0; repeat < 20; ++repeat) {
     CHECK(sums(added(parts, 4u)[1]) == sums(merged));
   }
+}
+
+/// Counts the changes of cells.
+struct counted_cells : atomic_cells<std::uint32_t> {
+  std::uint32_t changes = 0u;
+
+  std::uint32_t fetch_or(std::uint32_t cell, std::uint32_t bits, std::memory_order order) {
+    ++changes;
+    return atomic_cells::fetch_or(cell, bits, order);
+  }
+  std::uint32_t fetch_add(std::uint32_t cell, std::uint32_t amount, std::memory_order order) {
+    ++changes;
+    return atomic_cells::fetch_add(cell, amount, order);
+  }
+};
+
+TEST_CASE("a fragment takes an atomic a sum that gains, and one more where the sum passes its end") {
+  holds("any two tails", [] {
+    std::vector<std::uint32_t> words(tail_words(), 0u);
+    counted_cells storage{{words}};
+    const tail first = *any_tail();
+    const tail second = *any_tail();
+    atomic_tail::add(storage, 0u, first);
+    storage.changes = 0u;
+    atomic_tail::add(storage, 0u, second);
+    std::uint32_t expected = 0u;
+    for (std::size_t i = 0; i < 5u; ++i) {
+      expected += sums(second)[i] == 0u ? 0u : sums(first)[i] > 0xffffffffu - sums(second)[i] ? 2u : 1u;
+    }
+    RC_ASSERT(storage.changes == expected);
+  });
 }
 
 }  // namespace pelage::test

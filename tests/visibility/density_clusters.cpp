@@ -46,6 +46,16 @@ TEST_CASE("fragments at one depth are a step, evenly spread ones a line") {
   }
 }
 
+TEST_CASE("16,383 fragments at a bin's end are squared and summed, one more is where the sum stops") {
+  density_clusters<1u> map = density_clusters<1u>::empty();
+  for (std::uint32_t i = 0; i < 16'383u; ++i) {
+    map.add(1.0f);
+  }
+  CHECK(map.squares[0] == 16'383u * 512u * 512u);
+  map.add(1.0f);
+  CHECK(map.squares[0] == 0xffffffffu);
+}
+
 TEST_CASE("a cluster inside its bin is found where it lies") {
   density_clusters<2u> map = density_clusters<2u>::empty();
   for (int i = 0; i < 100; ++i) {

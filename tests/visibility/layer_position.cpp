@@ -90,6 +90,8 @@ TEST_CASE("what has no place gets one") {
   CHECK(equal_layer_position(1e30f, inf, 4u) == 0.0f);
   CHECK(equal_layer_position(1e38f, 1e38f, 4u) == 0.0f);
   CHECK(equal_layer_position(8e37f, 8e37f, 4u) == 1.0f);
+  CHECK(equal_layer_position(0x1p126f, 0x1p126f, 4u) == 1.0f);
+  CHECK(equal_layer_position(0x1.000002p126f, 0x1.000002p126f, 4u) == 0.0f);
   CHECK(layer_at(4.0f, 4u) == 3u);
 }
 

@@ -22,8 +22,8 @@ namespace pelage::inline PELAGE_ABI {
 namespace atomic_tail {
 
 /// Adds one fragment's tail, as add_fragment(empty_tail(), alpha, colour) makes it. `pixel`: [0, size() / 6).
-/// Wait-free where the hardware adds atomically; O(1): at most 6 atomics, none for a sum that gains nothing. Memory
-/// orders: (1) and (2) of add_and_mark().
+/// Wait-free where the hardware adds atomically; O(1): an atomic a sum, one more where it passes 2^32, none where it
+/// gains nothing. Memory orders: (1) and (2) of add_and_mark().
 template <cell_storage Storage>
 void add(Storage& storage, std::uint32_t pixel, const tail& one) noexcept {
   PELAGE_ASSERT(pixel < storage.size() / tail_words());

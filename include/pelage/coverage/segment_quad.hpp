@@ -46,7 +46,7 @@ template <std::floating_point Real>
 }
 
 /// How much farther the cone of sight that touches a ball reaches beside the ball's centre than the ball itself.
-/// `reach`: the ball's radius over the distance of its centre from the eye, [0, 1); from there on: 1000.
+/// `reach`: the ball's radius over the distance of its centre from the eye, [0, inf). At most 1000, as from 1 on.
 template <std::floating_point Real>
 [[nodiscard]] Real tangent_stretch(Real reach) noexcept {
   const Real cosine2 = (Real(1) - reach) * (Real(1) + reach);

@@ -27,7 +27,7 @@ namespace detail {
 /// A cluster here is one of K equal bins of the depth range, where the paper moves them by k-means. Between
 /// mean ± √3 σ, clamped to its bin, a cluster's fragments lie evenly. Depths in a bin are rounded to 512 steps and
 /// summed as integers, so the state depends on the set of fragments alone, bit for bit; the sums stop at 2³² - 1,
-/// squares from 16,383 fragments a bin on. 12 K bytes, 8 more with the depth_range.
+/// squares from 16,384 fragments a bin on. 12 K bytes, 8 more with the depth_range.
 template <std::uint32_t K>
 struct density_clusters {
   static_assert(K > 0u, "pelage::density_clusters<K>: at least one cluster");

@@ -34,7 +34,7 @@ namespace detail {
 
 /// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
 /// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
-/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
+/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and above 2¹²⁶ (a GPU
 /// divides by no more) at 0.
 [[nodiscard]] constexpr float equal_layer_position(float offset, float width, std::uint32_t layers) noexcept {
   return detail::clamped_position(detail::offset_in_widths(offset, width), static_cast<float>(layers));

@@ -19,8 +19,8 @@ uint pelage_tail_words() {
 }
 
 /// Adds one fragment's tail, as pelage_add_fragment(pelage_empty_tail(), alpha, colour) makes it. `pixel`: [0, size() /
-/// 6). Wait-free where the hardware adds atomically; O(1): at most 6 atomics, none for a sum that gains nothing. Memory
-/// orders: (1) and (2) of pelage_add_and_mark().
+/// 6). Wait-free where the hardware adds atomically; O(1): an atomic a sum, one more where it passes 2^32, none where
+/// it gains nothing. Memory orders: (1) and (2) of pelage_add_and_mark().
 void pelage_atomic_tail_add(uint pixel, pelage_tail one) {
   const uint first = pixel * pelage_tail_words();
   pelage_add_and_mark(first, one.optical, first + 5u, 1u);

@@ -34,7 +34,7 @@ precise float pelage_reach_at(float depth, float fibre_radius, pelage_ray_cone c
 }
 
 /// How much farther the cone of sight that touches a ball reaches beside the ball's centre than the ball itself.
-/// `reach`: the ball's radius over the distance of its centre from the eye, [0, 1); from there on: 1000.
+/// `reach`: the ball's radius over the distance of its centre from the eye, [0, inf). At most 1000, as from 1 on.
 precise float pelage_tangent_stretch(float reach) {
   const float cosine2 = (1.0 - reach) * (1.0 + reach);
   return cosine2 > 1e-6 ? 1.0 / sqrt(cosine2) : 1000.0;

@@ -45,7 +45,7 @@ const uint pelage_density_clusters_cells = 3u * PELAGE_DENSITY_CLUSTERS_K;  ///<
 /// A cluster here is one of K equal bins of the depth range, where the paper moves them by k-means. Between
 /// mean ± √3 σ, clamped to its bin, a cluster's fragments lie evenly. Depths in a bin are rounded to 512 steps and
 /// summed as integers, so the state depends on the set of fragments alone, bit for bit; the sums stop at 2³² - 1,
-/// squares from 16,383 fragments a bin on. 12 K bytes, 8 more with the pelage_depth_range.
+/// squares from 16,384 fragments a bin on. 12 K bytes, 8 more with the pelage_depth_range.
 struct pelage_density_clusters {
   uint count[PELAGE_DENSITY_CLUSTERS_K];    ///< fragments in each bin
   uint sum[PELAGE_DENSITY_CLUSTERS_K];      ///< of their positions in the bin, 512 steps to a bin

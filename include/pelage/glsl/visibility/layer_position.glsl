@@ -26,7 +26,7 @@ precise float pelage_slice_position(float relative, uint slices) {
 
 /// Layers of equal width that begin at the texel's nearest depth [Yuksel & Keyser 2008, §3]. What lies beyond the
 /// last goes to its end. `offset`: depth minus that nearest depth; negative: 0. `width`: of a layer, [0, inf] in the
-/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and from 2¹²⁶ on (a GPU
+/// same unit; with 0 everything behind the nearest depth lies beyond the last layer, with NaN and above 2¹²⁶ (a GPU
 /// divides by no more) at 0.
 float pelage_equal_layer_position(float offset, float width, uint layers) {
   return pelage_detail_clamped_position(pelage_detail_offset_in_widths(offset, width), float(layers));
