@@ -79,8 +79,9 @@ std::string translator::subgroup_body(const FunctionDecl* f) {
                          .Case("lane", "return gl_SubgroupInvocationID;")
                          .Case("shuffle", "return subgroupShuffle({0}, {1});")
                          .Case("shuffle_xor", "return subgroupShuffleXor({0}, {1});")
-                         .Case("count", "return subgroupBallotBitCount(subgroupBallot({0}));")
-                         .Case("count_below", "return subgroupBallotExclusiveBitCount(subgroupBallot({0}));")
+                         .Case("count",
+                               "const uvec4 pelage_set = subgroupBallot({0});\nreturn pelage_lane_count("
+                               "subgroupBallotBitCount(pelage_set), subgroupBallotExclusiveBitCount(pelage_set));")
                          .Case("barrier", "subgroupBarrier();")
                          .Default(nullptr);
   if (text == nullptr) return {};  // its words are cells as any

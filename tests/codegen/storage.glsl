@@ -174,7 +174,7 @@ uint features_use_lanes(uint x) {
     sum += pelage_subgroup_shuffle_xor(sum, bits);
   }
   pelage_subgroup_store(pelage_subgroup_lane(),
-                        sum + pelage_subgroup_count(x > 3u) + pelage_subgroup_count_below(x > 5u));
+                        sum + pelage_subgroup_count(x > 3u).all + pelage_subgroup_count(x > 5u).below);
   pelage_subgroup_barrier();
   return pelage_subgroup_load(pelage_subgroup_size() - 1u - pelage_subgroup_lane()) ^ pelage_subgroup_shuffle(sum, 0u);
 }

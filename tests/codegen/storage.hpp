@@ -120,7 +120,7 @@ template <pelage::lane_group Group>
   for (std::uint32_t bits = group.size() / 2u; bits > 0u; bits /= 2u) {
     sum += group.shuffle_xor(sum, bits);
   }
-  group.store(group.lane(), sum + group.count(x > 3u) + group.count_below(x > 5u));
+  group.store(group.lane(), sum + group.count(x > 3u).all + group.count(x > 5u).below);
   group.barrier();
   return group.load(group.size() - 1u - group.lane()) ^ group.shuffle(sum, 0u);
 }

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/lane_group.hpp>
+#include <pelage/explore/fiber.hpp>
 
 #include <cstdint>
 #include <string>
 #include <vector>
-
-#include "concurrency/fiber.hpp"
 
 namespace pelage::test {
 
@@ -32,8 +31,15 @@ class lane_fibers {
     [[nodiscard]] std::uint32_t shuffle_xor(std::uint32_t value, std::uint32_t bits) const {
       return shuffle(value, lane_ ^ bits);
     }
-    [[nodiscard]] std::uint32_t count(bool holds) const { return count(holds, size()); }
-    [[nodiscard]] std::uint32_t count_below(bool holds) const { return count(holds, lane_); }
+    [[nodiscard]] lane_count count(bool holds) const {
+      all_->meet(lane_, call::count, holds ? 1U : 0U);
+      lane_count sum{};
+      for (std::uint32_t l = 0; l < size(); ++l) {
+        sum.all += all_->lanes_[l].met;
+        sum.below += l < lane_ ? all_->lanes_[l].met : 0U;
+      }
+      return sum;
+    }
     [[nodiscard]] std::uint32_t load(std::uint32_t word) const { return all_->touch(lane_, word, false).value; }
     void store(std::uint32_t word, std::uint32_t value) { all_->touch(lane_, word, true).value = value; }
     void barrier() {
@@ -42,14 +48,6 @@ class lane_fibers {
     }
 
    private:
-    [[nodiscard]] std::uint32_t count(bool holds, std::uint32_t below) const {
-      all_->meet(lane_, call::count, holds ? 1U : 0U);
-      std::uint32_t sum = 0;
-      for (std::uint32_t l = 0; l < below; ++l)
-        sum += all_->lanes_[l].met;
-      return sum;
-    }
-
     lane_fibers* all_;
     std::uint32_t lane_;
   };

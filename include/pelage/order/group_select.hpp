@@ -100,13 +100,14 @@ void group_select<Rows>::insert(Group& group, fragment offered, std::uint32_t pl
   PELAGE_ASSERT(k >= 1u && k <= Rows * group.size());
   const placed_fragment mine = placed_fragment{depth_key(offered.depth), offered.id, place};
   const bool is_near = is_fragment(offered) && before(mine, bound);
-  const std::uint32_t word = 3u * (waiting + group.count_below(is_near));
+  const lane_count near = group.count(is_near);
+  const std::uint32_t word = 3u * (waiting + near.below);
   if (is_near) {
     group.store(word, mine.key);
     group.store(word + 1u, mine.id);
     group.store(word + 2u, mine.place);
   }
-  waiting += group.count(is_near);
+  waiting += near.all;
   if (waiting >= group.size()) {
     merge(group);
   }
@@ -132,9 +133,10 @@ void group_select<Rows>::merge(Group& group) noexcept {
   placed_fragment carried = sort_lanes(group, group.lane() < taken ? gathered : no_placed_fragment());
   for (std::uint32_t row = 0u; row < Rows; ++row) {
     const placed_fragment other = shuffle(group, carried, group.size() - 1u - group.lane());
-    const bool swap = before(other, slot[row]);
-    const placed_fragment near = swap ? other : slot[row];
-    const placed_fragment far = swap ? slot[row] : other;
+    const placed_fragment mine = slot[row];
+    const bool swap = before(other, mine);
+    const placed_fragment near = swap ? other : mine;
+    const placed_fragment far = swap ? mine : other;
     slot[row] = sort_bitonic(group, near, group.size());
     carried = sort_bitonic(group, far, group.size());
   }
@@ -147,7 +149,7 @@ template <lane_group Group>
 std::uint32_t group_select<Rows>::held(const Group& group) const noexcept {
   std::uint32_t count = 0u;
   for (std::uint32_t row = 0u; row < Rows; ++row) {
-    count += group.count(slot[row].key != 0xffffffffu);
+    count += group.count(slot[row].key != 0xffffffffu).all;
   }
   return std::min(count, k);
 }

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 /// Sorting across the W lanes of a group, one value a lane, by Batcher's bitonic network [Batcher 1968]: the same
-/// shuffles whatever the data. Not stable. All lanes call each function together.
+/// shuffles and no branch whatever the data. Not stable. All lanes call each function together.
 namespace pelage::inline PELAGE_ABI {
 
 /// A fragment with its depth's key, and where the caller has the rest of it.
@@ -24,7 +24,7 @@ struct placed_fragment {
 
 /// The total order of fragments.
 [[nodiscard]] constexpr bool before(placed_fragment a, placed_fragment b) noexcept {
-  return a.key < b.key || (a.key == b.key && a.id < b.id);
+  return a.key == b.key ? a.id < b.id : a.key < b.key;
 }
 
 /// Lane l gets the l-th of the lanes' numbers, least first. log W (log W + 1) / 2 shuffles.
@@ -44,8 +44,7 @@ template <lane_group Group>
 /// True for the lane of a pair that gets what comes first, in the step of such a block that pairs lanes `stride` apart.
 template <lane_group Group>
 [[nodiscard]] bool gets_first(const Group& group, std::uint32_t block, std::uint32_t stride) noexcept {
-  const std::uint32_t set = group.lane() & (block | stride);
-  return set == 0u || set == (block | stride);
+  return (group.lane() & stride) * block == (group.lane() & block) * stride;  // both bits are set, or none
 }
 
 /// What the lane numbered `from` holds.
@@ -84,7 +83,9 @@ placed_fragment sort_bitonic(const Group& group, placed_fragment mine, std::uint
     const placed_fragment other =
         placed_fragment{group.shuffle_xor(sorted.key, stride), group.shuffle_xor(sorted.id, stride),
                         group.shuffle_xor(sorted.place, stride)};
-    const bool swap = gets_first(group, block, stride) ? before(other, sorted) : before(sorted, other);
+    const bool is_nearer = before(other, sorted);
+    const bool is_farther = before(sorted, other);
+    const bool swap = gets_first(group, block, stride) ? is_nearer : is_farther;
     sorted = swap ? other : sorted;
   }
   return sorted;

@@ -18,6 +18,12 @@
 #error core/lane_group.glsl: define PELAGE_SUBGROUP_WORDS(i) before the include
 #endif
 
+/// For how many lanes something holds.
+struct pelage_lane_count {
+  uint all;    ///< of the group's
+  uint below;  ///< of those with a smaller number than this lane's
+};
+
 uint pelage_subgroup_size() {
   return PELAGE_SUBGROUP_SIZE;
 }
@@ -34,12 +40,9 @@ uint pelage_subgroup_shuffle_xor(uint pelage_value, uint pelage_bits) {
   return subgroupShuffleXor(pelage_value, pelage_bits);
 }
 
-uint pelage_subgroup_count(bool pelage_holds) {
-  return subgroupBallotBitCount(subgroupBallot(pelage_holds));
-}
-
-uint pelage_subgroup_count_below(bool pelage_holds) {
-  return subgroupBallotExclusiveBitCount(subgroupBallot(pelage_holds));
+pelage_lane_count pelage_subgroup_count(bool pelage_holds) {
+  const uvec4 pelage_set = subgroupBallot(pelage_holds);
+  return pelage_lane_count(subgroupBallotBitCount(pelage_set), subgroupBallotExclusiveBitCount(pelage_set));
 }
 
 uint pelage_subgroup_load(uint pelage_word) {

@@ -111,13 +111,14 @@ void pelage_group_select_limit(inout pelage_group_select self) {
 void pelage_group_select_insert(inout pelage_group_select self, pelage_fragment offered, uint place) {
   const pelage_placed_fragment mine = pelage_placed_fragment(pelage_depth_key(offered.depth), offered.id, place);
   const bool is_near = pelage_is_fragment(offered) && pelage_before(mine, self.bound);
-  const uint word = 3u * (self.waiting + pelage_subgroup_count_below(is_near));
+  const pelage_lane_count near = pelage_subgroup_count(is_near);
+  const uint word = 3u * (self.waiting + near.below);
   if (is_near) {
     pelage_subgroup_store(word, mine.key);
     pelage_subgroup_store(word + 1u, mine.id);
     pelage_subgroup_store(word + 2u, mine.place);
   }
-  self.waiting += pelage_subgroup_count(is_near);
+  self.waiting += near.all;
   if (self.waiting >= pelage_subgroup_size()) {
     pelage_group_select_merge(self);
   }
@@ -141,9 +142,10 @@ void pelage_group_select_merge(inout pelage_group_select self) {
       pelage_sort_lanes(pelage_subgroup_lane() < taken ? gathered : pelage_no_placed_fragment());
   for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
     const pelage_placed_fragment other = pelage_shuffle(carried, pelage_subgroup_size() - 1u - pelage_subgroup_lane());
-    const bool swap = pelage_before(other, self.slot[row]);
-    const pelage_placed_fragment near = swap ? other : self.slot[row];
-    const pelage_placed_fragment far = swap ? self.slot[row] : other;
+    const pelage_placed_fragment mine = self.slot[row];
+    const bool swap = pelage_before(other, mine);
+    const pelage_placed_fragment near = swap ? other : mine;
+    const pelage_placed_fragment far = swap ? mine : other;
     self.slot[row] = pelage_sort_bitonic(near, pelage_subgroup_size());
     carried = pelage_sort_bitonic(far, pelage_subgroup_size());
   }
@@ -154,7 +156,7 @@ void pelage_group_select_merge(inout pelage_group_select self) {
 uint pelage_group_select_held(pelage_group_select self) {
   uint count = 0u;
   for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
-    count += pelage_subgroup_count(self.slot[row].key != 0xffffffffu);
+    count += pelage_subgroup_count(self.slot[row].key != 0xffffffffu).all;
   }
   return min(count, self.k);
 }

@@ -7,7 +7,7 @@
 #include "../core/lane_group.glsl"
 
 /// Sorting across the W lanes of a group, one value a lane, by Batcher's bitonic network [Batcher 1968]: the same
-/// shuffles whatever the data. Not stable. All lanes call each function together.
+/// shuffles and no branch whatever the data. Not stable. All lanes call each function together.
 
 /// A fragment with its depth's key, and where the caller has the rest of it.
 struct pelage_placed_fragment {
@@ -23,7 +23,7 @@ pelage_placed_fragment pelage_no_placed_fragment() {
 
 /// The total order of fragments.
 bool pelage_before(pelage_placed_fragment a, pelage_placed_fragment b) {
-  return a.key < b.key || (a.key == b.key && a.id < b.id);
+  return a.key == b.key ? a.id < b.id : a.key < b.key;
 }
 
 /// Lane l gets the l-th of the lanes' numbers, least first. log W (log W + 1) / 2 shuffles.
@@ -39,8 +39,8 @@ pelage_placed_fragment pelage_sort_bitonic(pelage_placed_fragment mine, uint blo
 
 /// True for the lane of a pair that gets what comes first, in the step of such a block that pairs lanes `stride` apart.
 bool pelage_gets_first(uint block, uint stride) {
-  const uint set = pelage_subgroup_lane() & (block | stride);
-  return set == 0u || set == (block | stride);
+  return (pelage_subgroup_lane() & stride) * block ==
+         (pelage_subgroup_lane() & block) * stride;  // both bits are set, or none
 }
 
 /// What the lane numbered `from` holds.
@@ -76,7 +76,9 @@ pelage_placed_fragment pelage_sort_bitonic(pelage_placed_fragment mine, uint blo
     const pelage_placed_fragment other = pelage_placed_fragment(pelage_subgroup_shuffle_xor(sorted.key, stride),
                                                                 pelage_subgroup_shuffle_xor(sorted.id, stride),
                                                                 pelage_subgroup_shuffle_xor(sorted.place, stride));
-    const bool swap = pelage_gets_first(block, stride) ? pelage_before(other, sorted) : pelage_before(sorted, other);
+    const bool is_nearer = pelage_before(other, sorted);
+    const bool is_farther = pelage_before(sorted, other);
+    const bool swap = pelage_gets_first(block, stride) ? is_nearer : is_farther;
     sorted = swap ? other : sorted;
   }
   return sorted;
