@@ -62,6 +62,17 @@ template <single_precision Real>
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
+/// x · scale, infinity as the greatest float. NaN stays NaN where a device makes a minimum that drops it.
+template <single_precision Real>
+[[nodiscard, gnu::always_inline]] inline Real scaled_channel(Real x, Real scale) noexcept {
+  const Real largest = Real(3.40282347e38f);
+  return select(x != x, x, select(x > largest, largest, x) * scale);
+}
+
+}  // namespace detail
+
 template <single_precision Real>
 glm::vec<3, Real> clamp_keeping_hue(const glm::vec<3, Real>& colour) noexcept {
   Real most = select(colour.x > Real(64.0f), colour.x, Real(64.0f));
@@ -70,11 +81,9 @@ glm::vec<3, Real> clamp_keeping_hue(const glm::vec<3, Real>& colour) noexcept {
   if (!holds_for_any(most > Real(64.0f))) {
     return colour;
   }
-  const Real largest = Real(3.40282347e38f);
   const Real scale = select(most > Real(64.0f), fast_exp2(Real(6.0f) - fast_log2(most)), Real(1.0f));
-  return glm::vec<3, Real>(select(colour.x > largest, largest, colour.x) * scale,
-                           select(colour.y > largest, largest, colour.y) * scale,
-                           select(colour.z > largest, largest, colour.z) * scale);
+  return glm::vec<3, Real>(detail::scaled_channel(colour.x, scale), detail::scaled_channel(colour.y, scale),
+                           detail::scaled_channel(colour.z, scale));
 }
 
 inline tail add_fragment(const tail& t, float alpha, const glm::vec3& colour) noexcept {

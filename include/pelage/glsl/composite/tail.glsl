@@ -57,6 +57,12 @@ float pelage_transmittance_of(pelage_tail t) {
 /// 2⁻²¹. What the tail adds to a pixel is this times 1 - pelage_transmittance_of(t).
 precise vec3 pelage_mean_colour(pelage_tail t);
 
+/// x · scale, infinity as the greatest float. NaN stays NaN where a device makes a minimum that drops it.
+precise float pelage_detail_scaled_channel(float x, float scale) {
+  const float largest = 3.40282347e38;
+  return pelage_select(x != x, x, pelage_select(x > largest, largest, x) * scale);
+}
+
 // ---------------------------------------------------------------------------------------------------------
 
 precise vec3 pelage_clamp_keeping_hue(vec3 colour) {
@@ -66,11 +72,9 @@ precise vec3 pelage_clamp_keeping_hue(vec3 colour) {
   if (!pelage_holds_for_any(most > 64.0)) {
     return colour;
   }
-  const float largest = 3.40282347e38;
   const float scale = pelage_select(most > 64.0, pelage_fast_exp2(6.0 - pelage_fast_log2(most)), 1.0);
-  return vec3(pelage_select(colour.x > largest, largest, colour.x) * scale,
-              pelage_select(colour.y > largest, largest, colour.y) * scale,
-              pelage_select(colour.z > largest, largest, colour.z) * scale);
+  return vec3(pelage_detail_scaled_channel(colour.x, scale), pelage_detail_scaled_channel(colour.y, scale),
+              pelage_detail_scaled_channel(colour.z, scale));
 }
 
 precise pelage_tail pelage_add_fragment(pelage_tail t, float alpha, vec3 colour) {
