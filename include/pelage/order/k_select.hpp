@@ -208,7 +208,7 @@ inline std::uint32_t long_list<K, Isa>::finish(fragment* nearest, std::uint32_t 
 }
 
 /// k_select by the network for K, which is a power of two, of which the `k` first are written, from more than 2 K
-/// fragments. Not inlined, nor is the next: select() has no frame of its own under that of a lesser network.
+/// fragments. Not inlined, nor is the next: select_nearest() has no frame of its own under that of a lesser network.
 template <std::uint32_t K, vector_isa Isa>
 [[gnu::noinline]] std::uint32_t select_from_many(const fragment* list, std::size_t n, fragment* nearest,
                                                  std::uint32_t k) noexcept {
@@ -237,7 +237,7 @@ template <std::uint32_t K, vector_isa Isa>
 
 /// The same from any number, by the least network that will do.
 template <std::uint32_t K, vector_isa Isa>
-std::uint32_t select(const fragment* list, std::size_t n, fragment* nearest, std::uint32_t k) noexcept {
+std::uint32_t select_nearest(const fragment* list, std::size_t n, fragment* nearest, std::uint32_t k) noexcept {
   if (n > 2u * K) {
     return select_from_many<K, Isa>(list, n, nearest, k);
   }
@@ -245,7 +245,7 @@ std::uint32_t select(const fragment* list, std::size_t n, fragment* nearest, std
     if (n <= K / 2u) {
       const std::uint32_t half = std::min(k, K / 2u);
       std::fill(nearest + half, nearest + k, no_fragment());
-      return select<K / 2u, Isa>(list, n, nearest, half);
+      return select_nearest<K / 2u, Isa>(list, n, nearest, half);
     }
   }
   return select_from_few<K, Isa>(list, n, nearest, k);
@@ -275,7 +275,7 @@ void select_each(const fragment* fragments, const std::uint32_t* first, std::siz
     }
     p += long_ones;
     if (long_ones == 0u) {
-      select<K, Isa>(fragments + first[p], length(p), nearest + p * k, k);
+      select_nearest<K, Isa>(fragments + first[p], length(p), nearest + p * k, k);
       ++p;
     }
   }
@@ -290,7 +290,7 @@ inline constexpr std::uint32_t network_size = std::max(8u, std::bit_ceil(K));
 template <std::uint32_t K, vector_isa Isa>
 std::uint32_t k_select(std::span<const fragment> list, std::span<fragment, K> nearest) noexcept {
   static_assert(K >= 1u && K <= 64u, "pelage::k_select<K>: K must be in [1, 64]");
-  return detail::select<detail::network_size<K>, Isa>(list.data(), list.size(), nearest.data(), K);
+  return detail::select_nearest<detail::network_size<K>, Isa>(list.data(), list.size(), nearest.data(), K);
 }
 
 template <std::uint32_t K, vector_isa Isa>
