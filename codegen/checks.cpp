@@ -49,7 +49,8 @@ void translator::check_overloads() {
 void translator::check_sizes() {
   for (const auto& [name, seen] : sizes_seen_) {
     if (seen.size() < 2) {
-      reject(seen.begin()->second, name + " is instantiated at one size only: a second one shows that none is lost");
+      reject(seen.begin()->second,
+             name + " is instantiated at one size only: instantiate it at another one, too, to show that none is lost");
     }
   }
 }

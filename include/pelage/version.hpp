@@ -17,10 +17,10 @@
 #endif
 
 /// PELAGE_ABI names the inline namespace that everything stands in: the version, the vectors that a translation unit is
-/// compiled for, and whether it gave up the bits (core/exact_begin.hpp). So units of one program that are compiled with
-/// other flags, or with another major version, share no function; a type of Pelage in an interface between such units
-/// is an undefined reference. Extensions not named here are the user's care, and so are GLM's and std's functions: the
-/// linker takes those of the unit that it meets first.
+/// compiled for, and whether it gave up the bits (core/exact_begin.hpp). So units of one program that differ in these
+/// share no function. A type of Pelage as a parameter between such units is an undefined reference; as a result, or
+/// within a type of yours, it links unnoticed. Extensions not named here are your care, and so are the functions of GLM
+/// and std: the linker takes those of the unit that it meets first.
 #if defined(__AVX512F__)
 #define PELAGE_VECTORS _avx512
 #elif defined(__AVX2__) && defined(__BMI2__)

@@ -141,7 +141,9 @@ TEST_CASE("a program without end is a fault, even if operations complete") {
 TEST_CASE("a change outside of thread() is a fault") {
   const auto make =
       of_bodies<many_atomics<1>>({[](many_atomics<1>&) {}}, [](many_atomics<1>& m) { m.cells[0].store(1); });
-  CHECK(explore_all(make).fault == "outside of thread() atomics may be loaded, but not changed");
+  CHECK(explore_all(make).fault ==
+        "outside of thread() atomics may be loaded and not changed: fill a structure in a thread that the others "
+        "await()");
 }
 
 TEST_CASE("fence and await are the program's own over std::atomic, the explorer's over watched cells") {

@@ -27,17 +27,20 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 printf '#include <%s>\n' "${headers[@]}" >"$work/one.cpp"
 { cat "$work/one.cpp" && echo 'int main() {}'; } >"$work/two.cpp"
-"${compile[@]}" "$work/one.cpp" "$work/two.cpp" -o "$work/both"
+"${compile[@]}" -c "$work/one.cpp" -o "$work/one.o" &
+"${compile[@]}" -c "$work/two.cpp" -o "$work/two.o"
+wait $!
+"${compile[@]}" "$work/one.o" "$work/two.o" -o "$work/both"
 
 # GLM's switches, as engines set them.
-while read -ra switches; do
-  "${compile[@]}" "${switches[@]/#/-DGLM_FORCE_}" -fsyntax-only "$work/one.cpp" ||
-    { echo "not with GLM_FORCE_ ${switches[*]}" >&2; exit 1; }
-done <<<'INTRINSICS
-INTRINSICS DEFAULT_ALIGNED_GENTYPES
-XYZW_ONLY EXPLICIT_CTOR
-SWIZZLE
-LEFT_HANDED DEPTH_ZERO_TO_ONE'
+# shellcheck disable=SC2016
+printf '%s\0' INTRINSICS 'INTRINSICS DEFAULT_ALIGNED_GENTYPES' 'XYZW_ONLY EXPLICIT_CTOR' SWIZZLE \
+  'LEFT_HANDED DEPTH_ZERO_TO_ONE' | xargs -0 -P2 -I{} sh -c '
+  switches=$1 source=$2; shift 2
+  "$@" $(printf -- "-DGLM_FORCE_%s " $switches) -fsyntax-only "$source" && exit
+  echo "not with GLM_FORCE_ $switches" >&2
+  exit 1' sh {} "$work/one.cpp" "${compile[@]}"
+
 # What cannot work is said first, in one line.
 refused() {
   local said

@@ -20,7 +20,7 @@ namespace pelage::inline PELAGE_ABI {
 /// attenuation), except for the R lobe of an untilted fibre at normal inclination. No allocation, no tables; a fibre is
 /// made once per material, a view once per hit, and each light costs the rest.
 ///
-/// Frame: x along the fibre towards its tip, y and z across; unit vectors that point away from the fibre.
+/// Frame: x along the fibre towards its tip, y and z across, right-handed; unit vectors that point away from the fibre.
 /// `h` is where the eye's ray meets the fibre across its width, clamped to [-1, 1]: sin γ_o. It is positive on the side
 /// of eye × x: seen from +z, on the side of +y.
 template <real_number Real>

@@ -186,7 +186,9 @@ inline std::uint64_t world::operate(const operation& op) {
   if (running_ < 0) {
     const bool changes = always_writes(op.kind) || op.kind == operation_kind::compare_exchange;
     if (changes) {
-      fail("outside of thread() atomics may be loaded, but not changed");
+      fail(
+          "outside of thread() atomics may be loaded and not changed: fill a structure in a thread that the others "
+          "await()");
     }
     return op.location < 0 ? 0 : memory_.latest(op.location);
   }

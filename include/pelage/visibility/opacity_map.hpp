@@ -60,8 +60,8 @@ struct opacity_map {
 
   /// The estimate of what lies before a position, from 0 to total(): each layer weighs as much of itself as lies
   /// before, by one formula without a branch [Svoboda §1.3.3]. Never falls as the position grows; exact at the ends of
-  /// layers, except that sums from 2²⁴ on are rounded twice a layer, by up to 2⁻²⁴ of themselves. Where total() stops
-  /// it goes on beyond. O(Layers).
+  /// layers (so what lies at the far end of the range counts as before that end), except that sums from 2²⁴ on are
+  /// rounded twice a layer, by up to 2⁻²⁴ of themselves. Where total() stops it goes on beyond. O(Layers).
   [[nodiscard]] constexpr float amount_before(float position) const noexcept {
     float sum = 0.0f;
     for (std::uint32_t i = 0u; i < Layers; ++i) {

@@ -35,7 +35,7 @@ list<K> zeroed() noexcept {
 }
 
 template <std::uint32_t K>
-int once(list<K> l) noexcept {  // error: rejected::once is instantiated at one size only: a second one shows that none is lost
+int once(list<K> l) noexcept {  // error: rejected::once is instantiated at one size only: instantiate it at another one, too, to show that none is lost
   return l.slot[K - 1u];
 }
 

@@ -79,8 +79,9 @@ uint pelage_opacity_map_total(pelage_opacity_map self) {
 
 /// The estimate of what lies before a position, from 0 to pelage_opacity_map_total(): each layer weighs as much of
 /// itself as lies before, by one formula without a branch [Svoboda §1.3.3]. Never falls as the position grows; exact at
-/// the ends of layers, except that sums from 2²⁴ on are rounded twice a layer, by up to 2⁻²⁴ of themselves. Where
-/// pelage_opacity_map_total() stops it goes on beyond. O(Layers).
+/// the ends of layers (so what lies at the far end of the range counts as before that end), except that sums from 2²⁴
+/// on are rounded twice a layer, by up to 2⁻²⁴ of themselves. Where pelage_opacity_map_total() stops it goes on beyond.
+/// O(Layers).
 precise float pelage_opacity_map_amount_before(pelage_opacity_map self, float position) {
   float sum = 0.0;
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
