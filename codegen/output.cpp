@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <regex>
 
 namespace pelage::codegen {
 
@@ -184,6 +185,12 @@ constexpr const char* subgroup_text = R"(
 #ifndef PELAGE_SUBGROUP_SIZE
 #define PELAGE_SUBGROUP_SIZE gl_SubgroupSize
 #endif
+
+// [[unroll]] in a shader that requires GL_EXT_control_flow_attributes: drivers do not unroll loops over specialization
+// constants, and an array in such a loop leaves the registers.
+#ifndef PELAGE_UNROLL
+#define PELAGE_UNROLL
+#endif
 )";
 
 std::string cells_text(const unit& u, const glossary& words) {
@@ -269,7 +276,9 @@ std::string file_text(const unit& u, const glossary& words, problems& found) {
   for (const auto& [space, doc] : u.docs)
     text += "\n" + words.in_glsl(doc, space, u.header);
   text += code_text(u, mixed ? once + "_ONCE" : "", words) + (mixed ? "\n#define " + once + "_ONCE\n" : "");
-  return formatted(text + (sized ? prefix_end(u, names) : "") + "\n#endif\n");
+  text = formatted(text + (sized ? prefix_end(u, names) : "") + "\n#endif\n");
+  const bool over_a_group = llvm::any_of(includes, [](const auto& included) { return included.first->uses_subgroup; });
+  return over_a_group ? std::regex_replace(text, std::regex("\n( +)for \\("), "\n$1PELAGE_UNROLL for (") : text;
 }
 
 }  // namespace pelage::codegen

@@ -16,11 +16,11 @@
 #error "pelage: needs C++20: -std=c++20"
 #endif
 
-/// PELAGE_ABI names the inline namespace that everything stands in: the version, the vectors that a translation unit is
-/// compiled for, and whether it gave up the bits (core/exact_begin.hpp). So units of one program that differ in these
-/// share no function. A type of Pelage as a parameter between such units is an undefined reference; as a result, or
-/// within a type of yours, it links unnoticed. Extensions not named here are your care, and so are the functions of GLM
-/// and std: the linker takes those of the unit that it meets first.
+/// PELAGE_ABI names the inline namespace that everything stands in: major and minor version, the vectors that a
+/// translation unit is compiled for, and whether it gave up the bits (core/exact_begin.hpp). So units of one program
+/// that differ in these share no function. A type of Pelage as a parameter between such units is an undefined
+/// reference; as a result, or within a type of yours, it links unnoticed. Extensions not named here are your care, and
+/// so are the functions of GLM and std: the linker takes those of the unit that it meets first.
 #if defined(__AVX512F__)
 #define PELAGE_VECTORS _avx512
 #elif defined(__AVX2__) && defined(__BMI2__)
@@ -39,9 +39,9 @@
 #else
 #define PELAGE_BITS
 #endif
-#define PELAGE_JOINED(version, vectors, bits) v##version##vectors##bits
-#define PELAGE_NAMED(version, vectors, bits) PELAGE_JOINED(version, vectors, bits)
-#define PELAGE_ABI PELAGE_NAMED(PELAGE_VERSION_MAJOR, PELAGE_VECTORS, PELAGE_BITS)
+#define PELAGE_JOINED(major, minor, vectors, bits) v##major##_##minor##vectors##bits
+#define PELAGE_NAMED(major, minor, vectors, bits) PELAGE_JOINED(major, minor, vectors, bits)
+#define PELAGE_ABI PELAGE_NAMED(PELAGE_VERSION_MAJOR, PELAGE_VERSION_MINOR, PELAGE_VECTORS, PELAGE_BITS)
 
 namespace pelage::inline PELAGE_ABI {
 

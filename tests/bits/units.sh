@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Copyright (c) 2026 The Pelage authors
 # SPDX-License-Identifier: MIT
-# units.sh INCLUDE_DIR COMPILER: two units of one program, compiled for different vectors, share no function, so that the
-# one for any machine runs no instruction of the other's; both have the same bits.
+# units.sh INCLUDE_DIR COMPILER: two units of one program, compiled for different vectors, share no function of
+# Pelage's (those of GLM and std they share where nothing is inlined), and have the same bits.
 set -euo pipefail
 include=$1 compiler=$2
 

@@ -100,7 +100,16 @@ TEST_CASE("a path that cannot be a result is refused before anything is written"
   files.add(path);
   CHECK_THROWS_AS(files.add(path), std::runtime_error);
   CHECK_THROWS_AS(files.add(folder.path / "." / "a"), std::runtime_error);
+  CHECK_THROWS_AS(files.add(path / "b"), std::runtime_error);
   CHECK_THROWS_AS(files.add(""), std::runtime_error);
+  CHECK_THROWS_WITH(files.add(folder.path / std::string(300, 'x') / "sub" / "y"),
+                    doctest::Contains("cannot be written"));
+  const fs::path relative = fs::relative(folder.path / "z");
+  files.add(relative);
+  CHECK_THROWS_AS(files.add("." / relative), std::runtime_error);
+  CHECK_THROWS_AS(files.add(fs::absolute(relative)), std::runtime_error);
+  files.add(folder.path / "q" / "y");
+  CHECK_THROWS_AS(files.add(folder.path / "q"), std::runtime_error);
   CHECK_THROWS_AS(files.add(folder.path), std::runtime_error);
   CHECK_THROWS_AS(files.add(folder.path / "c" / ""), std::runtime_error);
   CHECK_THROWS_AS(files.write(folder.path / "b", {}), std::runtime_error);

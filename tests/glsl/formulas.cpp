@@ -190,7 +190,7 @@ TEST_CASE("Tails have the same bits on every device, blending differs by the sta
              {"mean_colour", 3, 0, 3},
              {"add_fibre", 3, 0, 0},
              {"resolve", 3, 0, 0},
-             {"add_tail", 3, 0, 4},
+             {"add_tail", 3, 0, 4, 1.0F},
              {"transmittance_of a float", 1, 0, 0},
              {"clamp_keeping_hue", 3, 0, 0}});
   });

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -23,15 +24,28 @@ namespace {
   throw std::runtime_error(printable(path) + ": " + fault);
 }
 
+/// The same for all ways to write a path.
+fs::path whole_path(const fs::path& path) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path), error);
+  return error ? fs::absolute(path) : whole;
+}
+
+/// True where `path` begins with all parts of `folder`.
+bool begins_with(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
 /// A file beside the name that it is to have, gone again with the folders made for it unless it got the name.
 class partial_file {
  public:
   explicit partial_file(const fs::path& path) : path_(path), partial_(path) {
     partial_ += "." + std::to_string(getpid()) + ".partial";
     std::vector<fs::path> missing;
-    for (fs::path p = path.parent_path(); !p.empty() && !fs::exists(p); p = p.parent_path())
-      missing.push_back(p);
     std::error_code error;
+    for (fs::path p = path.parent_path(); !p.empty() && !fs::exists(p, error); p = p.parent_path())
+      missing.push_back(p);
+    error.clear();
     for (; !missing.empty() && !error; missing.pop_back()) {
       if (fs::create_directory(missing.back(), error)) folders_.push_back(missing.back());
     }
@@ -110,10 +124,13 @@ void output_files::add(const fs::path& path) {
   const fs::file_status status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "is not a regular file");
 
-  const fs::path whole = fs::weakly_canonical(path, error);
+  const fs::path whole = whole_path(path);
   for (const file& other : files_) {
-    if (fs::weakly_canonical(other.path, error) == whole) fail(path, "two results would have this name");
+    const fs::path one = whole_path(other.path);
+    if (one == whole) fail(path, "two results would have this name");
+    if (begins_with(one, whole) || begins_with(whole, one)) fail(path, "one result would be the folder of another");
   }
+  const ignored_signals until_gone;
   const partial_file attempt(path);
   files_.push_back({path, {}});
 }

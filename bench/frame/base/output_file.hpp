@@ -11,12 +11,13 @@ namespace pelage::frame {
 
 /// Files that appear together or not at all: they and their folders are made in commit(), each beside its name first.
 /// Until then they are kept in memory, so that a process that ends before, by a signal too, leaves nothing behind;
-/// while commit() runs, SIGHUP, SIGINT and SIGTERM are ignored.
+/// while add() and commit() run, SIGHUP, SIGINT and SIGTERM are ignored. A symbolic link is replaced, not followed.
 class output_files {
  public:
   /// Promises a file, so that a path that cannot be written is found before the work for it is done: makes it and its
   /// folders and takes them away again. Throws std::runtime_error, "FILE: what is wrong" on one line; also for what is
-  /// no regular file (a folder, a device), and for a path that was added before.
+  /// no regular file (a folder, a device), for a path that was added before, and for one that would be the folder of
+  /// another.
   void add(const std::filesystem::path& path);
 
   /// Gives a file that was added its bytes. Throws as add() does.

@@ -15,7 +15,7 @@ namespace pelage::inline PELAGE_ABI {
 /// Range [0, 4096) octaves. One fragment counts at most 32 octaves (an opaque one). Sums saturate at the end of the
 /// range, which is still the same in any order, and read as 0, as does every sum from 126.00001 octaves on. Each
 /// fragment rounds by at most 2⁻²¹ octaves, a relative error of 3.4e-7 in the product; fast_log2 adds its own, 1e-7
-/// octaves or 1e-7 of them, and 1 - alpha up to 5e-8. `alpha`: clamped to [0, 1]; NaN counts as 0.
+/// octaves or 1e-7 of them, and 1 - alpha up to 9e-8. `alpha`: clamped to [0, 1]; NaN counts as 0.
 template <single_precision Real>
 [[nodiscard, gnu::always_inline]] inline constexpr natural_of<Real> optical_depth(Real alpha) noexcept;
 
@@ -24,7 +24,8 @@ template <single_precision Real>
 template <single_precision Real>
 [[nodiscard, gnu::always_inline]] inline constexpr natural_of<Real> to_fixed(Real x) noexcept;
 
-/// The transmittance of a sum, [0, 1]; exactly 1 for 0. Relative error below 1e-7 · (1 + octaves / 2).
+/// The transmittance of a sum, [0, 1]; exactly 1 for 0. Relative error below 1e-7 · (1 + octaves / 2) up to
+/// 126 octaves.
 [[nodiscard]] constexpr float transmittance_of(std::uint32_t optical) noexcept {
   return fast_exp2(-static_cast<float>(optical) * (1.0f / 1048576.0f));
 }

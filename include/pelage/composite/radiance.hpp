@@ -34,7 +34,8 @@ template <std::floating_point Real>
                                                        const glm::vec<3, Real>& attenuation, Real coverage) noexcept;
 
 /// The pixel with a tail behind its fibres: one more layer, of the tail's mean colour and transmittance, that covers
-/// the whole pixel. Where the tail's colours are over a white, so are the pixel's.
+/// the whole pixel. If the tail's colours were divided by a white, divide every `scattered` by it, too, and
+/// multiply what resolve() gives.
 [[nodiscard]] inline pixel_radiance<float> add_tail(const pixel_radiance<float>& pixel, const tail& behind) noexcept {
   return add_fibre(pixel, mean_colour(behind), glm::vec3(transmittance_of(behind)), 1.0f);
 }

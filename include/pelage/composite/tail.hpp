@@ -20,8 +20,8 @@ namespace pelage::inline PELAGE_ABI {
 ///
 /// So colours are in units of the scene's white. Where that is not 1, as with physical units of light, divide every
 /// colour by it, and multiply by it what mean_colour() or resolve() gives. A colour of more than 64 whites is scaled
-/// down as a whole (clamp_keeping_hue), so that no sum ends while Σ alpha is below 63, whatever the colours, nor below
-/// 4095 where none is brighter than white.
+/// down as a whole (clamp_keeping_hue), so that none of these sums ends while Σ alpha is below 63, whatever the
+/// colours, nor below 4095 where none is brighter than white.
 struct tail {
   std::uint32_t optical;  ///< Σ optical_depth(alpha)
   std::uint32_t weight;   ///< Σ alpha
@@ -36,7 +36,8 @@ struct tail {
 }
 
 /// A colour scaled down as a whole, which keeps its hue, until no channel is above 64 (by more than 1e-5 of it); the
-/// same bits where none is. Infinite channels count as the greatest float; NaN and negative ones stay what they are.
+/// same bits where none is. Infinite channels count as the greatest float; Negative and NaN channels stay what they
+/// are.
 template <single_precision Real>
 [[nodiscard, gnu::always_inline]] inline glm::vec<3, Real> clamp_keeping_hue(const glm::vec<3, Real>& colour) noexcept;
 
@@ -64,11 +65,11 @@ template <single_precision Real>
 
 namespace detail {
 
-/// x · scale, infinity as the greatest float. NaN stays NaN where a device makes a minimum that drops it.
+/// x · scale, infinity as the greatest float; negative and NaN as it is, where a device's own minimum would drop a NaN.
 template <single_precision Real>
 [[nodiscard, gnu::always_inline]] inline Real scaled_channel(Real x, Real scale) noexcept {
   const Real largest = Real(3.40282347e38f);
-  return select(x != x, x, select(x > largest, largest, x) * scale);
+  return select(x > Real(0.0f), select(x > largest, largest, x) * scale, x);
 }
 
 }  // namespace detail

@@ -53,8 +53,8 @@ template <real_number Real>
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real small_exponential(Real x) noexcept;
 
-/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN, in a shader NaN
-/// or +inf.
+/// eˣ, in float for x in [-87.3, 88.37] with a relative error below 2e-7; +inf from 88.38 on, below -87.3 denormals or
+/// 0, from -87.69 on 0. NaN gives NaN, in a shader NaN or +inf.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real exponential(Real x) noexcept;
 
@@ -62,7 +62,7 @@ template <real_number Real>
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real one_minus_exponential(Real x) noexcept;
 
-/// ln x for normal x > 0, within 1.1e-7 · max(1, |ln x|) in float. In float zero, denormals and negatives give -87.3.
+/// ln x for normal x > 0, within 1.4e-7 · max(1, |ln x|) in float. In float zero, denormals and negatives give -87.3.
 template <std::floating_point Real>
 [[nodiscard]] inline Real natural_logarithm(Real x) noexcept;
 

@@ -37,8 +37,9 @@ template <real_number Real>
 /// `end`, its tip; h is positive on the side of eye × x, with the eye at -direction and x along the fibre: seen from
 /// +z, on the side of +y. `pair`: closest_points() of the same four. `radius`: (0, inf), in the same unit. Clamped:
 /// beyond the fibre's edge, which a pixel's disc may cover from outside, -1 or 1. 0 for a ray along the fibre and a
-/// segment of length 0; NaN gives 0. Right within the error of pair.distance over the radius. Directions and ends as
-/// there.
+/// segment of length 0; NaN gives 0. Right within the error of pair.distance over the radius, where the closest point
+/// is an end of segment or ray that over the sine of the angle between them. Directions and ends as there, and the
+/// segment's length times the direction's at least 2⁻⁷⁰ in float.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real offset_across(const glm::vec<3, Real>& origin,
                                                             const glm::vec<3, Real>& direction,

@@ -28,10 +28,11 @@ namespace pelage::inline PELAGE_ABI {
 template <std::uint32_t Rows>
 struct group_select {
   std::array<placed_fragment, Rows> slot;  ///< row r of lane l is slot r · W + l, nearest first; valid after finish()
-  placed_fragment bound;                   ///< what is not before it need not be held; after finish() slot K - 1
-  std::uint32_t k;                         ///< K; what stands in later slots means nothing
-  std::uint32_t waiting;                   ///< fragments gathered and not yet in the slots, [0, W)
-  std::uint32_t least;                     ///< of the depth keys that this lane was offered, all ones before
+  placed_fragment bound;  ///< what is not before it need not be held; after finish() slot K - 1, whose place may be
+                          ///< another where fragments are equal
+  std::uint32_t k;        ///< K; what stands in later slots means nothing
+  std::uint32_t waiting;  ///< fragments gathered and not yet in the slots, [0, W)
+  std::uint32_t least;    ///< of the depth keys that this lane was offered, all ones before
 
   /// Holds nothing from now on. `k_nearest`: K. In place, so that in a shader Rows may be a specialization constant.
   constexpr void clear(std::uint32_t k_nearest) noexcept;
@@ -65,7 +66,7 @@ struct group_select {
   /// After finish(): true for a fragment behind the last of K slots. That is every one which is not held where ids are
   /// unique; one equal to the last and not held is not behind it. False for what is_fragment() refuses.
   [[nodiscard]] constexpr bool is_behind(fragment f) const noexcept {
-    return is_fragment(f) && before(bound, placed_fragment{depth_key(f.depth), f.id, 0u});
+    return is_fragment(f) && placed_before(bound, placed_fragment{depth_key(f.depth), f.id, 0u});
   }
 
   /// Moves the last of what waits into the slots, one for each lane as far as there are.
@@ -99,7 +100,7 @@ template <lane_group Group>
 void group_select<Rows>::insert(Group& group, fragment offered, std::uint32_t place) noexcept {
   PELAGE_ASSERT(k >= 1u && k <= Rows * group.size());
   const placed_fragment mine = placed_fragment{depth_key(offered.depth), offered.id, place};
-  const bool is_near = is_fragment(offered) && before(mine, bound);
+  const bool is_near = is_fragment(offered) && placed_before(mine, bound);
   const lane_count near = group.count(is_near);
   const std::uint32_t word = 3u * (waiting + near.below);
   if (is_near) {
@@ -134,14 +135,14 @@ void group_select<Rows>::merge(Group& group) noexcept {
   for (std::uint32_t row = 0u; row < Rows; ++row) {
     const placed_fragment other = shuffle(group, carried, group.size() - 1u - group.lane());
     const placed_fragment mine = slot[row];
-    const bool swap = before(other, mine);
+    const bool swap = placed_before(other, mine);
     const placed_fragment near = swap ? other : mine;
     const placed_fragment far = swap ? mine : other;
     slot[row] = sort_bitonic(group, near, group.size());
     carried = sort_bitonic(group, far, group.size());
   }
   const placed_fragment last = at(group, k - 1u);
-  bound = before(last, bound) ? last : bound;
+  bound = placed_before(last, bound) ? last : bound;
 }
 
 template <std::uint32_t Rows>

@@ -29,7 +29,8 @@ namespace pelage::inline PELAGE_ABI {
 /// and in a list in no particular order about 1.4 K fragments lie within it, whatever its length. A second pass copies
 /// them, and a network sorts them. Lists that defeat the bound tighten it as they go. O(n + K log² K) operations, at
 /// worst O(n log² K), with a constant of 1 / lanes. Lists with a -0 or a refused id among the near ones are
-/// selected by insertion, O(n K). No allocation; at most 6 KiB of stack.
+/// selected by insertion, O(n K). No allocation; at most 6 KiB of stack, without any
+/// optimisation (-O0) up to 1 MiB.
 template <std::uint32_t K, vector_isa Isa = widest_isa>
 std::uint32_t k_select(std::span<const fragment> list, std::span<fragment, K> nearest) noexcept;
 
@@ -38,7 +39,7 @@ std::uint32_t k_select(std::span<const fragment> list, std::span<fragment, K> ne
 ///
 /// `first`: one more than there are pixels (or empty), ascending, none beyond the fragments. `nearest`: K a pixel.
 /// Four long lists at a time, one's latency hidden behind the others': faster than a call for each. At most 16 KiB of
-/// stack.
+/// stack, or 1 MiB as above.
 template <std::uint32_t K, vector_isa Isa = widest_isa>
 void k_select(std::span<const fragment> fragments, std::span<const std::uint32_t> first,
               std::span<fragment> nearest) noexcept;

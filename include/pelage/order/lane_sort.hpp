@@ -23,7 +23,7 @@ struct placed_fragment {
 }
 
 /// The total order of fragments.
-[[nodiscard]] constexpr bool before(placed_fragment a, placed_fragment b) noexcept {
+[[nodiscard]] constexpr bool placed_before(placed_fragment a, placed_fragment b) noexcept {
   return a.key == b.key ? a.id < b.id : a.key < b.key;
 }
 
@@ -83,9 +83,8 @@ placed_fragment sort_bitonic(const Group& group, placed_fragment mine, std::uint
     const placed_fragment other =
         placed_fragment{group.shuffle_xor(sorted.key, stride), group.shuffle_xor(sorted.id, stride),
                         group.shuffle_xor(sorted.place, stride)};
-    const bool is_nearer = before(other, sorted);
-    const bool is_farther = before(sorted, other);
-    const bool swap = gets_first(group, block, stride) ? is_nearer : is_farther;
+    const bool is_other = other.key != sorted.key || other.id != sorted.id;  // else each lane keeps its own
+    const bool swap = is_other && placed_before(other, sorted) == gets_first(group, block, stride);
     sorted = swap ? other : sorted;
   }
   return sorted;

@@ -13,6 +13,7 @@ shared uint words[6u * gl_WorkGroupSize.x];
 #define PELAGE_SUBGROUP_SIZE lanes
 #define PELAGE_SUBGROUP_WORDS(i) words[6u * lanes * gl_SubgroupID + (i)]
 #define PELAGE_GROUP_SELECT_ROWS rows
+#define PELAGE_UNROLL [[unroll]]
 #include "pelage/glsl/order/group_select.glsl"
 
 /// The pixel that this subgroup works at, of all its view's.

@@ -13,14 +13,15 @@
 /// Range [0, 4096) octaves. One fragment counts at most 32 octaves (an opaque one). Sums saturate at the end of the
 /// range, which is still the same in any order, and read as 0, as does every sum from 126.00001 octaves on. Each
 /// fragment rounds by at most 2⁻²¹ octaves, a relative error of 3.4e-7 in the product; pelage_fast_log2 adds its own,
-/// 1e-7 octaves or 1e-7 of them, and 1 - alpha up to 5e-8. `alpha`: clamped to [0, 1]; NaN counts as 0.
+/// 1e-7 octaves or 1e-7 of them, and 1 - alpha up to 9e-8. `alpha`: clamped to [0, 1]; NaN counts as 0.
 precise uint pelage_optical_depth(float alpha);
 
 /// x in units of 2⁻²⁰, rounded to the nearest within 2⁻²⁵ of a unit; 0 for negative and NaN, the greatest number from
 /// 4096 on.
 precise uint pelage_to_fixed(float x);
 
-/// The transmittance of a sum, [0, 1]; exactly 1 for 0. Relative error below 1e-7 · (1 + octaves / 2).
+/// The transmittance of a sum, [0, 1]; exactly 1 for 0. Relative error below 1e-7 · (1 + octaves / 2) up to
+/// 126 octaves.
 precise float pelage_transmittance_of(uint optical) {
   return pelage_fast_exp2(-float(optical) * (1.0 / 1048576.0));
 }

@@ -15,7 +15,8 @@
 /// positions, rounded down, in a map of the pixel's own depth range.
 
 /// The weight of a fragment behind `order` others of its own alpha, [0, 1]. `order`: [0, inf). `alpha`: clamped to
-/// [0, 1]; where it is 1 only order 0 weighs anything. NaN gives 0 or NaN.
+/// [0, 1]; where it is 1 only order 0 weighs anything, and below 2⁻²⁵ all orders weigh α. An alpha of NaN gives 0 or
+/// NaN, an order of NaN gives NaN, or 1 where alpha is 1.
 precise float pelage_order_weight(float alpha, float order) {
   const float held = pelage_saturate(alpha);
   if (held >= 1.0) {

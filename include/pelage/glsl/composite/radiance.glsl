@@ -26,7 +26,8 @@ precise pelage_pixel_radiance pelage_add_fibre(pelage_pixel_radiance pixel, vec3
                                                float coverage);
 
 /// The pixel with a tail behind its fibres: one more layer, of the tail's mean colour and transmittance, that covers
-/// the whole pixel. Where the tail's colours are over a white, so are the pixel's.
+/// the whole pixel. If the tail's colours were divided by a white, divide every `scattered` by it, too, and
+/// multiply what pelage_resolve() gives.
 pelage_pixel_radiance pelage_add_tail(pelage_pixel_radiance pixel, pelage_tail behind) {
   return pelage_add_fibre(pixel, pelage_mean_colour(behind), vec3(pelage_transmittance_of(behind)), 1.0);
 }

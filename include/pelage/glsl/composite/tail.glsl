@@ -17,8 +17,8 @@
 ///
 /// So colours are in units of the scene's white. Where that is not 1, as with physical units of light, divide every
 /// colour by it, and multiply by it what pelage_mean_colour() or pelage_resolve() gives. A colour of more than 64
-/// whites is scaled down as a whole (pelage_clamp_keeping_hue), so that no sum ends while Σ alpha is below 63, whatever
-/// the colours, nor below 4095 where none is brighter than white.
+/// whites is scaled down as a whole (pelage_clamp_keeping_hue), so that none of these sums ends while Σ alpha is below
+/// 63, whatever the colours, nor below 4095 where none is brighter than white.
 struct pelage_tail {
   uint optical;  ///< Σ pelage_optical_depth(alpha)
   uint weight;   ///< Σ alpha
@@ -33,7 +33,8 @@ pelage_tail pelage_empty_tail() {
 }
 
 /// A colour scaled down as a whole, which keeps its hue, until no channel is above 64 (by more than 1e-5 of it); the
-/// same bits where none is. Infinite channels count as the greatest float; NaN and negative ones stay what they are.
+/// same bits where none is. Infinite channels count as the greatest float; Negative and NaN channels stay what they
+/// are.
 precise vec3 pelage_clamp_keeping_hue(vec3 colour);
 
 /// The tail with one more fragment. `alpha`: opacity times coverage, clamped to [0, 1]. `colour`: linear RGB over the
@@ -57,10 +58,10 @@ float pelage_transmittance_of(pelage_tail t) {
 /// 2⁻²¹. What the tail adds to a pixel is this times 1 - pelage_transmittance_of(t).
 precise vec3 pelage_mean_colour(pelage_tail t);
 
-/// x · scale, infinity as the greatest float. NaN stays NaN where a device makes a minimum that drops it.
+/// x · scale, infinity as the greatest float; negative and NaN as it is, where a device's own minimum would drop a NaN.
 precise float pelage_detail_scaled_channel(float x, float scale) {
   const float largest = 3.40282347e38;
-  return pelage_select(x != x, x, pelage_select(x > largest, largest, x) * scale);
+  return pelage_select(x > 0.0, pelage_select(x > largest, largest, x) * scale, x);
 }
 
 // ---------------------------------------------------------------------------------------------------------

@@ -44,14 +44,14 @@ float pelage_greatest(float a, float b) {
 /// eˣ - 1 for |x| ≤ 0.35, relative error below 1.5e-7 in float. Outside: garbage in float.
 precise float pelage_small_exponential(float x);
 
-/// eˣ, relative error below 2e-7 in float. In float: 0 below -87.3, +inf from 88.4 on. NaN gives NaN, in a shader NaN
-/// or +inf.
+/// eˣ, in float for x in [-87.3, 88.37] with a relative error below 2e-7; +inf from 88.38 on, below -87.3 denormals or
+/// 0, from -87.69 on 0. NaN gives NaN, in a shader NaN or +inf.
 precise float pelage_exponential(float x);
 
 /// 1 - e⁻ˣ for x ≥ 0, relative error below 2e-7 in float however small x is. NaN gives NaN, in a shader NaN or -inf.
 precise float pelage_one_minus_exponential(float x);
 
-/// ln x for normal x > 0, within 1.1e-7 · max(1, |ln x|) in float. In float zero, denormals and negatives give -87.3.
+/// ln x for normal x > 0, within 1.4e-7 · max(1, |ln x|) in float. In float zero, denormals and negatives give -87.3.
 precise float pelage_natural_logarithm(float x);
 
 /// xʸ for a base in [0, 1] and an exponent in [0, inf): pelage_power_of_cosine() in float.

@@ -11,6 +11,12 @@
 #define PELAGE_SUBGROUP_SIZE gl_SubgroupSize
 #endif
 
+// [[unroll]] in a shader that requires GL_EXT_control_flow_attributes: drivers do not unroll loops over specialization
+// constants, and an array in such a loop leaves the registers.
+#ifndef PELAGE_UNROLL
+#define PELAGE_UNROLL
+#endif
+
 // The shader says where these cells lie before it includes this file; those that others write
 // meanwhile belong into a coherent buffer:
 //   PELAGE_SUBGROUP_WORDS(i)  shared by the lanes, and by no other group; in any state at first

@@ -30,8 +30,9 @@ precise pelage_closest_pair pelage_closest_points(vec3 origin, vec3 direction, v
 /// `end`, its tip; h is positive on the side of eye × x, with the eye at -direction and x along the fibre: seen from
 /// +z, on the side of +y. `pair`: pelage_closest_points() of the same four. `radius`: (0, inf), in the same unit.
 /// Clamped: beyond the fibre's edge, which a pixel's disc may cover from outside, -1 or 1. 0 for a ray along the fibre
-/// and a segment of length 0; NaN gives 0. Right within the error of pair.distance over the radius. Directions and ends
-/// as there.
+/// and a segment of length 0; NaN gives 0. Right within the error of pair.distance over the radius, where the closest
+/// point is an end of segment or ray that over the sine of the angle between them. Directions and ends as there, and
+/// the segment's length times the direction's at least 2⁻⁷⁰ in float.
 precise float pelage_offset_across(vec3 origin, vec3 direction, vec3 start, vec3 end, pelage_closest_pair pair,
                                    float radius);
 

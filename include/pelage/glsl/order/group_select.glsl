@@ -48,10 +48,11 @@ struct pelage_group_select {
   pelage_placed_fragment slot[PELAGE_GROUP_SELECT_ROWS];  ///< row r of lane l is slot r · W + l, nearest first; valid
                                                           ///< after pelage_group_select_finish()
   pelage_placed_fragment bound;  ///< what is not before it need not be held; after pelage_group_select_finish() slot K
-                                 ///< - 1
-  uint k;                        ///< K; what stands in later slots means nothing
-  uint waiting;                  ///< fragments gathered and not yet in the slots, [0, W)
-  uint least;                    ///< of the depth keys that this lane was offered, all ones before
+                                 ///< - 1, whose place may be
+  ///< another where fragments are equal
+  uint k;        ///< K; what stands in later slots means nothing
+  uint waiting;  ///< fragments gathered and not yet in the slots, [0, W)
+  uint least;    ///< of the depth keys that this lane was offered, all ones before
 };
 
 /// Holds nothing from now on. `k_nearest`: K. In place, so that in a shader Rows may be a specialization constant.
@@ -84,7 +85,7 @@ pelage_placed_fragment pelage_group_select_at(pelage_group_select self, uint i);
 /// refuses.
 bool pelage_group_select_is_behind(pelage_group_select self, pelage_fragment f) {
   return pelage_is_fragment(f) &&
-         pelage_before(self.bound, pelage_placed_fragment(pelage_depth_key(f.depth), f.id, 0u));
+         pelage_placed_before(self.bound, pelage_placed_fragment(pelage_depth_key(f.depth), f.id, 0u));
 }
 
 /// Moves the last of what waits into the slots, one for each lane as far as there are.
@@ -93,7 +94,7 @@ void pelage_group_select_merge(inout pelage_group_select self);
 // ---------------------------------------------------------------------------------------------------------
 
 void pelage_group_select_clear(inout pelage_group_select self, uint k_nearest) {
-  for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
+  PELAGE_UNROLL for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
     self.slot[row] = pelage_no_placed_fragment();
   }
   self.bound = pelage_no_placed_fragment();
@@ -110,7 +111,7 @@ void pelage_group_select_limit(inout pelage_group_select self) {
 
 void pelage_group_select_insert(inout pelage_group_select self, pelage_fragment offered, uint place) {
   const pelage_placed_fragment mine = pelage_placed_fragment(pelage_depth_key(offered.depth), offered.id, place);
-  const bool is_near = pelage_is_fragment(offered) && pelage_before(mine, self.bound);
+  const bool is_near = pelage_is_fragment(offered) && pelage_placed_before(mine, self.bound);
   const pelage_lane_count near = pelage_subgroup_count(is_near);
   const uint word = 3u * (self.waiting + near.below);
   if (is_near) {
@@ -140,22 +141,22 @@ void pelage_group_select_merge(inout pelage_group_select self) {
   pelage_subgroup_barrier();
   pelage_placed_fragment carried =
       pelage_sort_lanes(pelage_subgroup_lane() < taken ? gathered : pelage_no_placed_fragment());
-  for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
+  PELAGE_UNROLL for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
     const pelage_placed_fragment other = pelage_shuffle(carried, pelage_subgroup_size() - 1u - pelage_subgroup_lane());
     const pelage_placed_fragment mine = self.slot[row];
-    const bool swap = pelage_before(other, mine);
+    const bool swap = pelage_placed_before(other, mine);
     const pelage_placed_fragment near = swap ? other : mine;
     const pelage_placed_fragment far = swap ? mine : other;
     self.slot[row] = pelage_sort_bitonic(near, pelage_subgroup_size());
     carried = pelage_sort_bitonic(far, pelage_subgroup_size());
   }
   const pelage_placed_fragment last = pelage_group_select_at(self, self.k - 1u);
-  self.bound = pelage_before(last, self.bound) ? last : self.bound;
+  self.bound = pelage_placed_before(last, self.bound) ? last : self.bound;
 }
 
 uint pelage_group_select_held(pelage_group_select self) {
   uint count = 0u;
-  for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
+  PELAGE_UNROLL for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
     count += pelage_subgroup_count(self.slot[row].key != 0xffffffffu).all;
   }
   return min(count, self.k);
@@ -163,7 +164,7 @@ uint pelage_group_select_held(pelage_group_select self) {
 
 pelage_placed_fragment pelage_group_select_at(pelage_group_select self, uint i) {
   pelage_placed_fragment found = pelage_no_placed_fragment();
-  for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
+  PELAGE_UNROLL for (uint row = 0u; row < PELAGE_GROUP_SELECT_ROWS; ++row) {
     const pelage_placed_fragment there = pelage_shuffle(self.slot[row], i % pelage_subgroup_size());
     found = row == i / pelage_subgroup_size() ? there : found;
   }

@@ -22,7 +22,7 @@ pelage_placed_fragment pelage_no_placed_fragment() {
 }
 
 /// The total order of fragments.
-bool pelage_before(pelage_placed_fragment a, pelage_placed_fragment b) {
+bool pelage_placed_before(pelage_placed_fragment a, pelage_placed_fragment b) {
   return a.key == b.key ? a.id < b.id : a.key < b.key;
 }
 
@@ -53,8 +53,8 @@ pelage_placed_fragment pelage_shuffle(pelage_placed_fragment mine, uint from) {
 
 uint pelage_sort_lanes(uint mine) {
   uint sorted = mine;
-  for (uint block = 2u; block <= pelage_subgroup_size(); block *= 2u) {
-    for (uint stride = block / 2u; stride > 0u; stride /= 2u) {
+  PELAGE_UNROLL for (uint block = 2u; block <= pelage_subgroup_size(); block *= 2u) {
+    PELAGE_UNROLL for (uint stride = block / 2u; stride > 0u; stride /= 2u) {
       const uint other = pelage_subgroup_shuffle_xor(sorted, stride);
       sorted = pelage_gets_first(block, stride) ? min(sorted, other) : max(sorted, other);
     }
@@ -64,7 +64,7 @@ uint pelage_sort_lanes(uint mine) {
 
 pelage_placed_fragment pelage_sort_lanes(pelage_placed_fragment mine) {
   pelage_placed_fragment sorted = mine;
-  for (uint block = 2u; block <= pelage_subgroup_size(); block *= 2u) {
+  PELAGE_UNROLL for (uint block = 2u; block <= pelage_subgroup_size(); block *= 2u) {
     sorted = pelage_sort_bitonic(sorted, block);
   }
   return sorted;
@@ -72,13 +72,12 @@ pelage_placed_fragment pelage_sort_lanes(pelage_placed_fragment mine) {
 
 pelage_placed_fragment pelage_sort_bitonic(pelage_placed_fragment mine, uint block) {
   pelage_placed_fragment sorted = mine;
-  for (uint stride = block / 2u; stride > 0u; stride /= 2u) {
+  PELAGE_UNROLL for (uint stride = block / 2u; stride > 0u; stride /= 2u) {
     const pelage_placed_fragment other = pelage_placed_fragment(pelage_subgroup_shuffle_xor(sorted.key, stride),
                                                                 pelage_subgroup_shuffle_xor(sorted.id, stride),
                                                                 pelage_subgroup_shuffle_xor(sorted.place, stride));
-    const bool is_nearer = pelage_before(other, sorted);
-    const bool is_farther = pelage_before(sorted, other);
-    const bool swap = pelage_gets_first(block, stride) ? is_nearer : is_farther;
+    const bool is_other = other.key != sorted.key || other.id != sorted.id;  // else each lane keeps its own
+    const bool swap = is_other && int(pelage_placed_before(other, sorted)) == int(pelage_gets_first(block, stride));
     sorted = swap ? other : sorted;
   }
   return sorted;
