@@ -173,7 +173,7 @@ TEST_CASE("Tails have the same bits on every device, blending differs by the sta
               pixel = add_fibre(pixel, glm::vec3(back), colour, in.f(7));
               out.put(pixel.transmittance);
               out.put(resolve(pixel, colour));
-              out.put(resolve(add_tail(pixel, t), colour));
+              out.put(resolve(add_tail(add_fibre(empty_pixel<float>(), colour, glm::vec3(back), in.f(7)), t), colour));
               out.put(transmittance_of(in.f(8)));
               out.put(clamp_keeping_hue(glm::vec3(200.0F, 1.0F, in.f(9)) * colour));
             },
@@ -190,7 +190,7 @@ TEST_CASE("Tails have the same bits on every device, blending differs by the sta
              {"mean_colour", 3, 0, 3},
              {"add_fibre", 3, 0, 0},
              {"resolve", 3, 0, 0},
-             {"add_tail", 3, 0, 4, 1.0F},
+             {"add_tail", 3, 0, 4},
              {"transmittance_of a float", 1, 0, 0},
              {"clamp_keeping_hue", 3, 0, 0}});
   });

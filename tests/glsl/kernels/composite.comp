@@ -41,6 +41,7 @@ void main() {
   pixel = pelage_add_fibre(pixel, back.xyz, colour, f(7u));
   put(25u, pixel.transmittance);
   put(28u, pelage_resolve(pixel, colour));
+  pixel = pelage_add_fibre(pelage_empty_pixel(), colour, back.xyz, f(7u));
   put(31u, pelage_resolve(pelage_add_tail(pixel, tail), colour));
   put(34u, pelage_transmittance_of(f(8u)));
   put(35u, pelage_clamp_keeping_hue(vec3(200.0, 1.0, f(9u)) * colour));
