@@ -22,17 +22,17 @@ namespace pelage::inline PELAGE_ABI {
 /// many). In the second, fragments within the bound are gathered until there is one for each lane, sorted and merged
 /// with the slots, of which slot K - 1 is the bound from then on.
 ///
-/// Ties in depth go to the smaller id; of fragments equal in both any may be kept, each once. What is_fragment()
-/// refuses is left out. A fragment costs O(1), a merge of W of them O((Rows + log W) log W) shuffles. 12 Rows + 24
-/// bytes a lane, in registers where k and Rows are constants, and the words [0, 6 W) of the group.
+/// Ties in depth go to the smaller id; of fragments equal in both any may be kept, each once, and `bound` may have
+/// another one's place. What is_fragment() refuses is left out. A fragment costs O(1), a merge of W of them
+/// O((Rows + log W) log W) shuffles. 12 Rows + 24 bytes a lane, in registers where k and Rows are constants, and the
+/// words [0, 6 W) of the group.
 template <std::uint32_t Rows>
 struct group_select {
   std::array<placed_fragment, Rows> slot;  ///< row r of lane l is slot r · W + l, nearest first; valid after finish()
-  placed_fragment bound;  ///< what is not before it need not be held; after finish() slot K - 1, whose place may be
-                          ///< another where fragments are equal
-  std::uint32_t k;        ///< K; what stands in later slots means nothing
-  std::uint32_t waiting;  ///< fragments gathered and not yet in the slots, [0, W)
-  std::uint32_t least;    ///< of the depth keys that this lane was offered, all ones before
+  placed_fragment bound;                   ///< what is not before it need not be held; after finish() as slot K - 1
+  std::uint32_t k;                         ///< K; what stands in later slots means nothing
+  std::uint32_t waiting;                   ///< fragments gathered and not yet in the slots, [0, W)
+  std::uint32_t least;                     ///< of the depth keys that this lane was offered, all ones before
 
   /// Holds nothing from now on. `k_nearest`: K. In place, so that in a shader Rows may be a specialization constant.
   constexpr void clear(std::uint32_t k_nearest) noexcept;

@@ -41,18 +41,18 @@ uint[PELAGE_GROUP_SELECT_ROWS] PELAGE_GROUP_SELECT_ROWS_has_one_value_in_a_shade
 /// are gathered until there is one for each lane, sorted and merged with the slots, of which slot K - 1 is the bound
 /// from then on.
 ///
-/// Ties in depth go to the smaller id; of fragments equal in both any may be kept, each once. What pelage_is_fragment()
-/// refuses is left out. A fragment costs O(1), a merge of W of them O((Rows + log W) log W) shuffles. 12 Rows + 24
-/// bytes a lane, in registers where k and Rows are constants, and the words [0, 6 W) of the group.
+/// Ties in depth go to the smaller id; of fragments equal in both any may be kept, each once, and `bound` may have
+/// another one's place. What pelage_is_fragment() refuses is left out. A fragment costs O(1), a merge of W of them
+/// O((Rows + log W) log W) shuffles. 12 Rows + 24 bytes a lane, in registers where k and Rows are constants, and the
+/// words [0, 6 W) of the group.
 struct pelage_group_select {
   pelage_placed_fragment slot[PELAGE_GROUP_SELECT_ROWS];  ///< row r of lane l is slot r · W + l, nearest first; valid
                                                           ///< after pelage_group_select_finish()
-  pelage_placed_fragment bound;  ///< what is not before it need not be held; after pelage_group_select_finish() slot K
-                                 ///< - 1, whose place may be
-  ///< another where fragments are equal
-  uint k;        ///< K; what stands in later slots means nothing
-  uint waiting;  ///< fragments gathered and not yet in the slots, [0, W)
-  uint least;    ///< of the depth keys that this lane was offered, all ones before
+  pelage_placed_fragment bound;  ///< what is not before it need not be held; after pelage_group_select_finish() as slot
+                                 ///< K - 1
+  uint k;                        ///< K; what stands in later slots means nothing
+  uint waiting;                  ///< fragments gathered and not yet in the slots, [0, W)
+  uint least;                    ///< of the depth keys that this lane was offered, all ones before
 };
 
 /// Holds nothing from now on. `k_nearest`: K. In place, so that in a shader Rows may be a specialization constant.
