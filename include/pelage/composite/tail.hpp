@@ -36,7 +36,7 @@ struct tail {
 }
 
 /// A colour scaled down as a whole, which keeps its hue, until no channel is above 64 (by more than 1e-5 of it); the
-/// same bits where none is. Infinite channels count as the greatest float; Negative and NaN channels stay what they
+/// same bits where none is. Infinite channels count as the greatest float; negative and NaN channels stay what they
 /// are.
 template <single_precision Real>
 [[nodiscard, gnu::always_inline]] inline glm::vec<3, Real> clamp_keeping_hue(const glm::vec<3, Real>& colour) noexcept;

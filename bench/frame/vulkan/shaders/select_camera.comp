@@ -12,8 +12,6 @@
 #include "selection.glsl"
 #include "camera_sink.glsl"
 
-pelage_group_select nearest;
-
 pelage_fragment fragment_at(uint i) {
   return pelage_fragment(uintBitsToFloat(records[i].x), records[i].y);
 }
@@ -27,12 +25,7 @@ void select_from(uint begin, uint end) {
     }
     pelage_group_select_limit(nearest);
   }
-  for (uint from = begin; from < end; from += lanes) {
-    const uint i = from + gl_SubgroupInvocationID;
-    const pelage_fragment f = fragment_at(min(i, end - 1u));
-    pelage_group_select_insert(nearest, pelage_fragment(f.depth, i < end ? f.id : pelage_no_fragment().id), i);
-  }
-  pelage_group_select_finish(nearest);
+  insert_run(begin, end);
 }
 
 /// What a record tells of its fragment.

@@ -19,7 +19,9 @@ uint low_sum = 0u;
 uint high_sum = 0u;
 float farthest = 0.0;
 
-pelage_group_select nearest;
+pelage_fragment fragment_at(uint i) {
+  return pool[i];
+}
 
 void sum(pelage_fragment f) {
   uint carry;
@@ -38,12 +40,7 @@ void select_from(uint begin, uint end) {
   if (end - begin > lanes) {
     pelage_group_select_limit(nearest);
   }
-  for (uint from = begin; from < end; from += lanes) {
-    const uint i = from + gl_SubgroupInvocationID;
-    const pelage_fragment f = pool[min(i, end - 1u)];
-    pelage_group_select_insert(nearest, pelage_fragment(f.depth, i < end ? f.id : pelage_no_fragment().id), i);
-  }
-  pelage_group_select_finish(nearest);
+  insert_run(begin, end);
 }
 
 /// The optical depth of the whole run less what is kept, clamped to the end of the range.

@@ -16,6 +16,21 @@ shared uint words[6u * gl_WorkGroupSize.x];
 #define PELAGE_UNROLL [[unroll]]
 #include "pelage/glsl/order/group_select.glsl"
 
+pelage_group_select nearest;
+
+// The including shader says where the fragments of runs lie.
+pelage_fragment fragment_at(uint i);
+
+/// The second pass over the run [begin, end), which is not empty.
+void insert_run(uint begin, uint end) {
+  for (uint from = begin; from < end; from += lanes) {
+    const uint i = from + gl_SubgroupInvocationID;
+    const pelage_fragment f = fragment_at(min(i, end - 1u));
+    pelage_group_select_insert(nearest, pelage_fragment(f.depth, i < end ? f.id : pelage_no_fragment().id), i);
+  }
+  pelage_group_select_finish(nearest);
+}
+
 /// The pixel that this subgroup works at, of all its view's.
 ivec2 pixel_of_subgroup() {
   const uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;

@@ -33,7 +33,7 @@ pelage_tail pelage_empty_tail() {
 }
 
 /// A colour scaled down as a whole, which keeps its hue, until no channel is above 64 (by more than 1e-5 of it); the
-/// same bits where none is. Infinite channels count as the greatest float; Negative and NaN channels stay what they
+/// same bits where none is. Infinite channels count as the greatest float; negative and NaN channels stay what they
 /// are.
 precise vec3 pelage_clamp_keeping_hue(vec3 colour);
 
