@@ -254,17 +254,17 @@ template chiang_result<float> evaluate_chiang_far<4>(const chiang_fibre<float>&,
                                                      const fibre_direction<float>&) noexcept;
 template chiang_result<float> evaluate_chiang_far<3>(const chiang_fibre<float>&, const fibre_direction<float>&,
                                                      const fibre_direction<float>&) noexcept;
-template colour axial_passage(float, const colour&, float) noexcept;
-template colour mean_passage<4>(float, const colour&, float) noexcept;
-template colour mean_passage<3>(float, const colour&, float) noexcept;
+template vec3 axial_passage(float, const colour&, float) noexcept;
+template vec3 mean_passage<4>(float, const colour&, float) noexcept;
+template vec3 mean_passage<3>(float, const colour&, float) noexcept;
 template scattering_roots<float> find_scattering_roots(int, float, float) noexcept;
 template caustic_point<float> find_caustic(float) noexcept;
 template float azimuth_derivative(int, float, float) noexcept;
 template marschner_parameters<float> common_marschner_parameters(const colour&) noexcept;
 template fibre_section<float> make_fibre_section(float, float) noexcept;
 template float path_attenuation(const fibre_section<float>&, int, float, float, float) noexcept;
-template colour bare_azimuthal(const fibre_section<float>&, int, float, const colour&) noexcept;
-template colour smooth_trt(const fibre_section<float>&, float, const colour&, const caustic_treatment<float>&) noexcept;
+template vec3 bare_azimuthal(const fibre_section<float>&, int, float, const colour&) noexcept;
+template vec3 smooth_trt(const fibre_section<float>&, float, const colour&, const caustic_treatment<float>&) noexcept;
 template float eccentric_index(float, float, float) noexcept;
 template float gaussian(float, float) noexcept;
 template marschner_result<float> evaluate_marschner(const marschner_parameters<float>&, float, float, float,

@@ -99,7 +99,7 @@ template <class Fibre>
 void evaluate_with(benchmark::State& state, const std::vector<Fibre>& made) {
   each(state, [&](std::size_t k) {
     const auto view = view_chiang(made[k], all().h[k], fibre_direction_of(all().eye[k]));
-    std::array<float, 3> value = evaluate_chiang(made[k], view, fibre_direction_of(all().light[k])).value;
+    glm::vec3 value = evaluate_chiang(made[k], view, fibre_direction_of(all().light[k])).value;
     benchmark::DoNotOptimize(value);
   });
 }

@@ -188,7 +188,7 @@ bool packs_agree(draws& draw) {
         fibre, view_chiang(fibre, in[0][k], fibre_direction_of(glm::vec3(unit[0][k], unit[1][k], unit[2][k]))),
         fibre_direction_of(glm::vec3(unit[3][k], unit[4][k], unit[5][k])));
     for (std::size_t c = 0; c < 3; ++c)
-      expected[c][k] = seen.value[c];
+      expected[c][k] = seen.value[static_cast<int>(c)];
     expected[3][k] = seen.density;
   }
   for (const std::array<float, n>& each : expected)

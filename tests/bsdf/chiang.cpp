@@ -87,7 +87,7 @@ TEST_CASE("with absorption less light leaves, in each channel as if it were alon
       expected += static_cast<double>(view.attenuation[p][c]);
     }
     const double sum = test::integrate_sphere<float>(60, 150, [&](const glm::vec3& light) {
-      return evaluate_chiang(fibre, view, fibre_direction_of(light)).value[c];
+      return evaluate_chiang(fibre, view, fibre_direction_of(light)).value[static_cast<int>(c)];
     });
     CHECK(sum == doctest::Approx(expected).epsilon(1e-4));
     CHECK(sum < 1.0002);
@@ -242,7 +242,7 @@ struct drawn_pair {
     const chiang_result<float> narrow = evaluated<float>();
     const chiang_result<double> wide = evaluated<double>();
     double worst = wide.density > 1e-6 ? test::relative_error(narrow.density, wide.density) : 0.0;
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3; ++c) {
       if (wide.value[c] > 1e-6) worst = std::max(worst, test::relative_error(narrow.value[c], wide.value[c]));
     }
     return worst;

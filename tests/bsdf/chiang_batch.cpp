@@ -64,8 +64,7 @@ struct elements {
   [[nodiscard]] bool as_kernel(const chiang_fibre<float>& fibre, std::size_t k) const {
     const auto view = view_chiang(fibre, h[k], fibre_direction_of(eye[0][k], eye[1][k], eye[2][k]));
     const auto expected = evaluate_chiang(fibre, view, fibre_direction_of(light[0][k], light[1][k], light[2][k]));
-    return expected.value == std::array<float, 3>{value[0][k], value[1][k], value[2][k]} &&
-           expected.density == density[k];
+    return expected.value == glm::vec3(value[0][k], value[1][k], value[2][k]) && expected.density == density[k];
   }
 
   column h, eta, beta_m, beta_n, tilt, density;

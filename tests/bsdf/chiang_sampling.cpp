@@ -117,7 +117,7 @@ TEST_CASE("the mean weight of samples is the energy that leaves, within 1e-3") {
     for (int k = 0; k < draws; ++k) {
       const auto sample = sample_chiang(fibre, view, even_point(k));
       for (std::uint32_t c = 0; c < 3; ++c) {
-        mean[c] += static_cast<double>(sample.result.value[c] / sample.result.density) / draws;
+        mean[c] += static_cast<double>(sample.result.value[static_cast<int>(c)] / sample.result.density) / draws;
       }
     }
     for (std::uint32_t c = 0; c < 3; ++c) {

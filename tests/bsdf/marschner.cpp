@@ -136,7 +136,7 @@ TEST_CASE("S is symmetric in φ and reciprocal") {
     const auto one = evaluate_marschner(parameters, 0.3, -0.5, phi, 0.0);
     const auto mirrored = evaluate_marschner(parameters, 0.3, -0.5, -phi, 0.0);
     const auto swapped = evaluate_marschner(parameters, -0.5, 0.3, phi, 0.0);
-    for (std::uint32_t c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3; ++c) {
       CHECK(one.scattering[c] == doctest::Approx(mirrored.scattering[c]).epsilon(1e-12));
       CHECK(one.scattering[c] == doctest::Approx(swapped.scattering[c]).epsilon(1e-12));
     }
@@ -170,7 +170,7 @@ TEST_CASE("directions along the fibre, opposite azimuths and absolute absorption
       for (const float theta_r : {-1.5707964f, 0.3f, 1.5707964f}) {
         for (const float phi : {-3.1415927f, 0.0f, 0.3249f, 3.1415927f, 9.0f}) {
           const auto result = evaluate_marschner(parameters, theta_i, theta_r, phi, 0.0f);
-          for (std::uint32_t c = 0; c < 3; ++c) {
+          for (int c = 0; c < 3; ++c) {
             ++count;
             finite += std::isfinite(result.scattering[c]) && result.scattering[c] >= 0.0f ? 1 : 0;
           }

@@ -18,8 +18,8 @@ TEST_CASE("what passes a fibre is the integral of the BSDF's TT lobe over all di
   fibre.tints = {0.0, 1.0, 0.0, 0.0};
   for (const double theta : {0.0, 0.7, -1.3}) {
     const auto eye = fibre_direction_of(test::unit_vector<double>(theta, 0.0));
-    const std::array<double, 3> passage = mean_passage<4>(1.55, sigma, std::sin(theta));
-    for (std::uint32_t c = 0; c < 3; ++c) {
+    const glm::dvec3 passage = mean_passage<4>(1.55, sigma, std::sin(theta));
+    for (int c = 0; c < 3; ++c) {
       const double lobe = test::integrate_sphere<double>(40, 48, [&](const glm::dvec3& light) {
         return evaluate_chiang_far<4>(fibre, eye, fibre_direction_of(light)).value[c];
       });

@@ -95,7 +95,7 @@ TEST_CASE("Marschner's model is within 6e-5 of double on every device") {
           const auto section = make_fibre_section(hair.eta, theta_d);
           const double bent = eccentric_index(hair.eta, hair.eccentricity, in.d(10));
           const bool sharp = well_conditioned(make_fibre_section(bent, theta_d), 2, in.d(9));
-          const auto put_or_skip = [&](bool known, const std::array<double, 3>& value) {
+          const auto put_or_skip = [&](bool known, const glm::dvec3& value) {
             if (known) {
               out.put(value);
             } else {

@@ -8,6 +8,8 @@
 #include <pelage/core/elementary.hpp>
 #include <pelage/core/exact_begin.hpp>
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cstdint>
 
@@ -58,8 +60,8 @@ struct chiang_view {
 /// Light scattered from one direction to the eye.
 template <real_number Real>
 struct chiang_result {
-  std::array<Real, 3> value;  ///< f |cos|, to be multiplied by the light and by no further cosine
-  Real density;               ///< of sampling that direction, per steradian
+  glm::vec<3, Real> value;  ///< f |cos|, to be multiplied by the light and by no further cosine
+  Real density;             ///< of sampling that direction, per steradian
 };
 
 /// Makes a fibre. Infinite σ_a counts as 1e30.
@@ -214,11 +216,11 @@ template <real_number Real>
 chiang_result<Real> evaluate_chiang(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                     const fibre_direction<Real>& light) noexcept {
   const std::array<Real, 4> lobes = chiang_lobes(fibre, view, light);
-  chiang_result<Real> result = {{Real(0), Real(0), Real(0)}, Real(0)};
+  chiang_result<Real> result = {glm::vec<3, Real>(Real(0)), Real(0)};
   for (std::uint32_t p = 0u; p < 4u; ++p) {
-    for (std::uint32_t c = 0u; c < 3u; ++c) {
-      result.value[c] = result.value[c] + lobes[p] * view.attenuation[p][c];
-    }
+    result.value.x = result.value.x + lobes[p] * view.attenuation[p][0];
+    result.value.y = result.value.y + lobes[p] * view.attenuation[p][1];
+    result.value.z = result.value.z + lobes[p] * view.attenuation[p][2];
     result.density = result.density + lobes[p] * view.weights[p];
   }
   return result;

@@ -108,9 +108,9 @@ void evaluate_chiang_lanes(const chiang_fibre<lanes<W>>& fibre, const chiang_bat
   const fibre_direction<pack> light = fibre_direction_of(
       load_lanes<W>(batch.light[0], at), load_lanes<W>(batch.light[1], at), load_lanes<W>(batch.light[2], at));
   const chiang_result<pack> found = evaluate_chiang(fibre, view_chiang(fibre, h, eye), light);
-  for (std::uint32_t c = 0u; c < 3u; ++c) {
-    store_lanes<W>(found.value[c], result.value[c], at);
-  }
+  store_lanes<W>(found.value.x, result.value[0], at);
+  store_lanes<W>(found.value.y, result.value[1], at);
+  store_lanes<W>(found.value.z, result.value[2], at);
   store_lanes<W>(found.density, result.density, at);
 }
 

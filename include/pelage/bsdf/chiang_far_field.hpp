@@ -51,13 +51,11 @@ template <int Panels, std::floating_point Real>
 chiang_result<Real> evaluate_chiang_far(const chiang_fibre<Real>& fibre, const fibre_direction<Real>& eye,
                                         const fibre_direction<Real>& light) noexcept {
   static_assert(Panels >= 1 && Panels <= 64, "the width of a fibre is cut into 1 to 64 panels");
-  chiang_result<Real> sum = {{Real(0), Real(0), Real(0)}, Real(0)};
+  chiang_result<Real> sum = {glm::vec<3, Real>(Real(0)), Real(0)};
   for (int node = 0; node < 3 * Panels; ++node) {
     const width_node<Real> place = fibre_width_node<Real>(node, Panels);
     const chiang_result<Real> near = evaluate_chiang(fibre, view_chiang(fibre, place.h, eye), light);
-    for (std::uint32_t c = 0u; c < 3u; ++c) {
-      sum.value[c] = sum.value[c] + place.weight * near.value[c];
-    }
+    sum.value = sum.value + place.weight * near.value;
     sum.density = sum.density + place.weight * near.density;
   }
   return sum;

@@ -148,7 +148,7 @@ inline chiang_result<float> evaluate_chiang(const chiang_quad_fibre& fibre, cons
        detail::spread_lane<2>(lobes) * view.attenuation[2]) +
       detail::spread_lane<3>(lobes) * view.attenuation[3];
   const lanes<4> density = lobes * view.weights;
-  return chiang_result<float>{{value.lane[0], value.lane[1], value.lane[2]},
+  return chiang_result<float>{glm::vec3(value.lane[0], value.lane[1], value.lane[2]),
                               ((density.lane[0] + density.lane[1]) + density.lane[2]) + density.lane[3]};
 }
 

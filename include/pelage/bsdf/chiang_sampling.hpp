@@ -78,8 +78,7 @@ chiang_bsdf<Real> evaluate_chiang_bsdf(const chiang_fibre<Real>& fibre, Real h, 
   const chiang_result<Real> result = evaluate_chiang(fibre, view, fibre_direction_of(w_i));
   const Real cosine = absolute(w_i.z);
   const Real divisor = cosine > Real(0) ? cosine : Real(1);
-  const glm::vec<3, Real> value = glm::vec<3, Real>(result.value[0], result.value[1], result.value[2]);
-  return chiang_bsdf<Real>{value / divisor, result.density};
+  return chiang_bsdf<Real>{result.value / divisor, result.density};
 }
 
 template <std::floating_point Real>

@@ -83,7 +83,7 @@ template <std::floating_point Real>
 glm::vec<3, Real> marschner_fibre_model<Real>::operator()(Real theta_i, Real theta_r, Real phi) const noexcept {
   const marschner_result<Real> result = evaluate_marschner(parameters, theta_i, theta_r, phi, Real(0));
   const Real half_cosine = Real(0.5) * rotation_by(theta_r).cosine;
-  return half_cosine * glm::vec<3, Real>(result.scattering[0], result.scattering[1], result.scattering[2]);
+  return half_cosine * result.scattering;
 }
 
 template <int Panels, std::floating_point Real>
@@ -93,8 +93,7 @@ glm::vec<3, Real> chiang_fibre_model<Panels, Real>::operator()(Real theta_i, Rea
   const rotation<Real> azimuth = rotation_by(phi);
   const fibre_direction<Real> known = {from.sine, absolute(from.cosine), Real(1), Real(0)};
   const fibre_direction<Real> other = {to.sine, absolute(to.cosine), azimuth.cosine, azimuth.sine};
-  const chiang_result<Real> result = evaluate_chiang_far<Panels>(fibre, known, other);
-  return glm::vec<3, Real>(result.value[0], result.value[1], result.value[2]);
+  return evaluate_chiang_far<Panels>(fibre, known, other).value;
 }
 
 template <std::floating_point Real, fibre_model<Real> Model>

@@ -6,6 +6,8 @@
 #include <pelage/core/elementary.hpp>
 #include <pelage/core/exact_begin.hpp>
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <concepts>
 #include <cstdint>
@@ -41,9 +43,9 @@ struct marschner_parameters {
 /// One evaluation, with its parts.
 template <std::floating_point Real>
 struct marschner_result {
-  std::array<Real, 3> longitudinal;              ///< M of R, TT, TRT, per radian
-  std::array<std::array<Real, 3>, 3> azimuthal;  ///< N of R, TT, TRT, each for red, green, blue, per radian
-  std::array<Real, 3> scattering;                ///< S for red, green, blue: Σ M N/cos²θ_d; times light · cos θ_i
+  std::array<Real, 3> longitudinal;            ///< M of R, TT, TRT, per radian
+  std::array<glm::vec<3, Real>, 3> azimuthal;  ///< N of R, TT, TRT, each for red, green, blue, per radian
+  glm::vec<3, Real> scattering;                ///< S for red, green, blue: Σ M N/cos²θ_d; times light · cos θ_i
 };
 
 /// The values that the paper takes for hair: η 1.55, α -0.12 (7°), β 0.13 (7.5°), round, caustic 0.26, 0.5, 1, 0.3.
@@ -88,20 +90,27 @@ template <std::floating_point Real>
   return path == 0 ? surface.reflected : passed * inner;
 }
 
+/// The same for red, green, blue.
+template <std::floating_point Real>
+[[nodiscard]] glm::vec<3, Real> colour_attenuation(const fibre_section<Real>& section, int path, Real sin_gamma,
+                                                   Real cos_gamma, const std::array<Real, 3>& sigma_a) noexcept {
+  return glm::vec<3, Real>(path_attenuation(section, path, sin_gamma, cos_gamma, sigma_a[0]),
+                           path_attenuation(section, path, sin_gamma, cos_gamma, sigma_a[1]),
+                           path_attenuation(section, path, sin_gamma, cos_gamma, sigma_a[2]));
+}
+
 /// N_p(θ_d, φ) per radian and channel by summing A/|2 dφ/dh| over the path's roots, no caustic treatment; 0 without
 /// roots. ∫ N_p dφ is ½ ∫ A(p, h) dh.
 template <std::floating_point Real>
-[[nodiscard]] std::array<Real, 3> bare_azimuthal(const fibre_section<Real>& section, int path, Real phi,
-                                                 const std::array<Real, 3>& sigma_a) noexcept {
+[[nodiscard]] glm::vec<3, Real> bare_azimuthal(const fibre_section<Real>& section, int path, Real phi,
+                                               const std::array<Real, 3>& sigma_a) noexcept {
   const scattering_roots<Real> roots = find_scattering_roots(path, phi, section.excess);
-  std::array<Real, 3> sum = {Real(0), Real(0), Real(0)};
+  glm::vec<3, Real> sum = glm::vec<3, Real>(Real(0));
   for (std::uint32_t k = 0u; k < 3u; ++k) {
     if (k < roots.count) {
       const scattering_root<Real> root = roots.root[k];
       const Real density = root.cosine / (Real(4) * greatest(absolute(root.slope), Real(1e-6)));
-      for (std::uint32_t c = 0u; c < 3u; ++c) {
-        sum[c] = sum[c] + density * path_attenuation(section, path, root.sine, root.cosine, sigma_a[c]);
-      }
+      sum = sum + density * colour_attenuation(section, path, root.sine, root.cosine, sigma_a);
     }
   }
   return sum;
@@ -116,9 +125,9 @@ template <std::floating_point Real>
 
 /// N_TRT with its caustic faded out and a Gaussian of the same energy put in. [Marschner 2003 App. B]
 template <std::floating_point Real>
-[[nodiscard]] std::array<Real, 3> smooth_trt(const fibre_section<Real>& section, Real phi,
-                                             const std::array<Real, 3>& sigma_a,
-                                             const caustic_treatment<Real>& caustic) noexcept {
+[[nodiscard]] glm::vec<3, Real> smooth_trt(const fibre_section<Real>& section, Real phi,
+                                           const std::array<Real, 3>& sigma_a,
+                                           const caustic_treatment<Real>& caustic) noexcept {
   const Real eta = section.eta_perpendicular;
   const caustic_point<Real> point = find_caustic(section.excess);
   const Real phi_c = Real(2) * point.half_azimuth;
@@ -134,18 +143,15 @@ template <std::floating_point Real>
   const Real left = gaussian(wrapped_angle(azimuth + phi_c), caustic.width);
   const Real kept = (Real(1) - strength * right / peak) * (Real(1) - strength * left / peak);
   const Real put = strength * caustic.intensity * width * (right + left);
-  std::array<Real, 3> value = bare_azimuthal(section, 2, phi, sigma_a);
-  for (std::uint32_t c = 0u; c < 3u; ++c) {
-    value[c] = value[c] * kept + put * path_attenuation(section, 2, point.sine, point.cosine, sigma_a[c]);
-  }
-  return value;
+  return bare_azimuthal(section, 2, phi, sigma_a) * kept +
+         put * colour_attenuation(section, 2, point.sine, point.cosine, sigma_a);
 }
 
 /// N_TRT, its caustic as the treatment says.
 template <std::floating_point Real>
-[[nodiscard]] std::array<Real, 3> treated_trt(const fibre_section<Real>& section, Real phi,
-                                              const std::array<Real, 3>& sigma_a,
-                                              const caustic_treatment<Real>& caustic) noexcept {
+[[nodiscard]] glm::vec<3, Real> treated_trt(const fibre_section<Real>& section, Real phi,
+                                            const std::array<Real, 3>& sigma_a,
+                                            const caustic_treatment<Real>& caustic) noexcept {
   if (caustic.smoothed) {
     return smooth_trt(section, phi, sigma_a, caustic);
   }
@@ -188,13 +194,11 @@ marschner_result<Real> evaluate_marschner(const marschner_parameters<Real>& para
   const fibre_section<Real> bent_section = make_fibre_section(bent, theta_d);
   result.azimuthal[2] = treated_trt(bent_section, phi, parameters.sigma_a, parameters.caustic);
   const Real cosine = greatest(rotation_by(theta_d).cosine, Real(1e-6));
-  for (std::uint32_t c = 0u; c < 3u; ++c) {
-    Real sum = Real(0);
-    for (std::uint32_t p = 0u; p < 3u; ++p) {
-      sum = sum + result.longitudinal[p] * result.azimuthal[p][c];
-    }
-    result.scattering[c] = sum / (cosine * cosine);
+  glm::vec<3, Real> sum = glm::vec<3, Real>(Real(0));
+  for (std::uint32_t p = 0u; p < 3u; ++p) {
+    sum = sum + result.longitudinal[p] * result.azimuthal[p];
   }
+  result.scattering = sum / (cosine * cosine);
   return result;
 }
 

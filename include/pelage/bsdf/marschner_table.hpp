@@ -67,11 +67,9 @@ template <std::floating_point Real>
 template <std::floating_point Real>
 marschner_lobes<Real> azimuthal_lobes(const fibre_section<Real>& section, const marschner_parameters<Real>& parameters,
                                       Real phi) noexcept {
-  const std::array<Real, 3> r = bare_azimuthal(section, 0, phi, parameters.sigma_a);
-  const std::array<Real, 3> tt = bare_azimuthal(section, 1, phi, parameters.sigma_a);
-  const std::array<Real, 3> trt = treated_trt(section, phi, parameters.sigma_a, parameters.caustic);
-  return marschner_lobes<Real>{glm::vec<3, Real>(r[0], r[1], r[2]), glm::vec<3, Real>(tt[0], tt[1], tt[2]),
-                               glm::vec<3, Real>(trt[0], trt[1], trt[2])};
+  return marschner_lobes<Real>{bare_azimuthal(section, 0, phi, parameters.sigma_a),
+                               bare_azimuthal(section, 1, phi, parameters.sigma_a),
+                               treated_trt(section, phi, parameters.sigma_a, parameters.caustic)};
 }
 
 template <std::floating_point Real>

@@ -4,9 +4,10 @@
 #include <pelage/bsdf/chiang_far_field.hpp>
 #include <pelage/core/exact_begin.hpp>
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <concepts>
-#include <cstdint>
 
 namespace pelage::inline PELAGE_ABI {
 
@@ -19,37 +20,43 @@ namespace pelage::inline PELAGE_ABI {
 
 /// A_1 for a ray through the fibre's axis (h = 0). `sin_theta`: of the ray's inclination, [-1, 1]; 0 at the ends.
 template <std::floating_point Real>
-[[nodiscard]] std::array<Real, 3> axial_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept;
+[[nodiscard]] glm::vec<3, Real> axial_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept;
 
 /// A_1 averaged over the width, ½ ∫ A_1(h) dh, by the rule of evaluate_chiang_far(). For η in [1, 3], any absorption
 /// and inclination, 2 panels are within 7.5e-3, 4 within 2e-3 and 8 within 5e-4.
 template <int Panels, std::floating_point Real>
-[[nodiscard]] std::array<Real, 3> mean_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept;
+[[nodiscard]] glm::vec<3, Real> mean_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
+/// A_1 of a section for red, green, blue.
 template <std::floating_point Real>
-std::array<Real, 3> axial_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept {
+[[nodiscard]] glm::vec<3, Real> colour_passage(const chiang_section<Real>& section,
+                                               const std::array<Real, 3>& sigma_a) noexcept {
+  return glm::vec<3, Real>(chiang_attenuation(section, sigma_a[0])[1], chiang_attenuation(section, sigma_a[1])[1],
+                           chiang_attenuation(section, sigma_a[2])[1]);
+}
+
+}  // namespace detail
+
+template <std::floating_point Real>
+glm::vec<3, Real> axial_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept {
   const Real cosine = square_root(greatest((Real(1) - sin_theta) * (Real(1) + sin_theta), Real(0)));
   const detail::chiang_section<Real> section = detail::cross_chiang_section(eta, Real(0), sin_theta, cosine);
-  std::array<Real, 3> passage;
-  for (std::uint32_t c = 0u; c < 3u; ++c) {
-    passage[c] = detail::chiang_attenuation(section, sigma_a[c])[1];
-  }
-  return passage;
+  return detail::colour_passage(section, sigma_a);
 }
 
 template <int Panels, std::floating_point Real>
-std::array<Real, 3> mean_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept {
+glm::vec<3, Real> mean_passage(Real eta, const std::array<Real, 3>& sigma_a, Real sin_theta) noexcept {
   static_assert(Panels >= 1 && Panels <= 64, "the width of a fibre is cut into 1 to 64 panels");
   const Real cosine = square_root(greatest((Real(1) - sin_theta) * (Real(1) + sin_theta), Real(0)));
-  std::array<Real, 3> passage = {Real(0), Real(0), Real(0)};
+  glm::vec<3, Real> passage = glm::vec<3, Real>(Real(0));
   for (int node = 0; node < 3 * Panels; ++node) {
     const width_node<Real> place = fibre_width_node<Real>(node, Panels);
     const detail::chiang_section<Real> section = detail::cross_chiang_section(eta, place.h, sin_theta, cosine);
-    for (std::uint32_t c = 0u; c < 3u; ++c) {
-      passage[c] = passage[c] + place.weight * detail::chiang_attenuation(section, sigma_a[c])[1];
-    }
+    passage = passage + place.weight * detail::colour_passage(section, sigma_a);
   }
   return passage;
 }

@@ -13,7 +13,7 @@ void main() {
   if (outside()) return;
   const pelage_fibre_direction light = pelage_fibre_direction_of(v3(11u));
   const pelage_chiang_result result = pelage_evaluate_chiang(fibre(), view(), light);
-  put(0u, vec3(result.value[0], result.value[1], result.value[2]));
+  put(0u, result.value);
   put(3u, result.density);
   put(4u, pelage_chiang_density(fibre(), view(), light));
   const pelage_chiang_bsdf whole = pelage_evaluate_chiang_bsdf(fibre(), f(7u), v3(8u), v3(11u));

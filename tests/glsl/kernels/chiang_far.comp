@@ -13,11 +13,9 @@
 void main() {
   if (outside()) return;
   const pelage_chiang_result far = pelage_evaluate_chiang_far(fibre(), eye(), pelage_fibre_direction_of(v3(11u)));
-  put(0u, vec3(far.value[0], far.value[1], far.value[2]));
+  put(0u, far.value);
   put(3u, far.density);
   const float sigma_a[3] = float[3](f(1u), f(2u), f(3u));
-  const float axial[3] = pelage_axial_passage(f(0u), sigma_a, f(8u));
-  put(4u, vec3(axial[0], axial[1], axial[2]));
-  const float mean[3] = pelage_mean_passage(f(0u), sigma_a, f(8u));
-  put(7u, vec3(mean[0], mean[1], mean[2]));
+  put(4u, pelage_axial_passage(f(0u), sigma_a, f(8u)));
+  put(7u, pelage_mean_passage(f(0u), sigma_a, f(8u)));
 }

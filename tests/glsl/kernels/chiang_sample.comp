@@ -14,7 +14,7 @@ void main() {
   const pelage_chiang_sample drawn =
       pelage_sample_chiang(fibre(), view(), float[4](f(11u), f(12u), f(13u), f(14u)));
   put(0u, drawn.direction);
-  put(3u, vec3(drawn.result.value[0], drawn.result.value[1], drawn.result.value[2]));
+  put(3u, drawn.result.value);
   put(6u, drawn.result.density);
   put(7u, float(drawn.lobe));
 }

@@ -52,8 +52,8 @@ struct pelage_chiang_view {
 
 /// Light scattered from one direction to the eye.
 struct pelage_chiang_result {
-  float value[3];  ///< f |cos|, to be multiplied by the light and by no further cosine
-  float density;   ///< of sampling that direction, per steradian
+  vec3 value;     ///< f |cos|, to be multiplied by the light and by no further cosine
+  float density;  ///< of sampling that direction, per steradian
 };
 
 /// Makes a fibre. Infinite σ_a counts as 1e30.
@@ -184,11 +184,11 @@ precise pelage_chiang_view pelage_view_chiang(pelage_chiang_fibre fibre, float h
 precise pelage_chiang_result pelage_evaluate_chiang(pelage_chiang_fibre fibre, pelage_chiang_view view,
                                                     pelage_fibre_direction light) {
   const float lobes[4] = pelage_chiang_lobes(fibre, view, light);
-  pelage_chiang_result result = pelage_chiang_result(float[3](0.0, 0.0, 0.0), 0.0);
+  pelage_chiang_result result = pelage_chiang_result(vec3(0.0), 0.0);
   for (uint p = 0u; p < 4u; ++p) {
-    for (uint c = 0u; c < 3u; ++c) {
-      result.value[c] = result.value[c] + lobes[p] * view.attenuation[p][c];
-    }
+    result.value.x = result.value.x + lobes[p] * view.attenuation[p][0];
+    result.value.y = result.value.y + lobes[p] * view.attenuation[p][1];
+    result.value.z = result.value.z + lobes[p] * view.attenuation[p][2];
     result.density = result.density + lobes[p] * view.weights[p];
   }
   return result;

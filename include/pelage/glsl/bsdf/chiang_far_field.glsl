@@ -66,13 +66,11 @@ precise pelage_width_node pelage_fibre_width_node(int node, int panels) {
 
 precise pelage_chiang_result pelage_evaluate_chiang_far(pelage_chiang_fibre fibre, pelage_fibre_direction eye,
                                                         pelage_fibre_direction light) {
-  pelage_chiang_result sum = pelage_chiang_result(float[3](0.0, 0.0, 0.0), 0.0);
+  pelage_chiang_result sum = pelage_chiang_result(vec3(0.0), 0.0);
   for (int node = 0; node < 3 * PELAGE_EVALUATE_CHIANG_FAR_PANELS; ++node) {
     const pelage_width_node place = pelage_fibre_width_node(node, PELAGE_EVALUATE_CHIANG_FAR_PANELS);
     const pelage_chiang_result near = pelage_evaluate_chiang(fibre, pelage_view_chiang(fibre, place.h, eye), light);
-    for (uint c = 0u; c < 3u; ++c) {
-      sum.value[c] = sum.value[c] + place.weight * near.value[c];
-    }
+    sum.value = sum.value + place.weight * near.value;
     sum.density = sum.density + place.weight * near.density;
   }
   return sum;

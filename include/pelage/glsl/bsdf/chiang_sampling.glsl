@@ -61,8 +61,7 @@ precise pelage_chiang_bsdf pelage_evaluate_chiang_bsdf(pelage_chiang_fibre fibre
   const pelage_chiang_result result = pelage_evaluate_chiang(fibre, view, pelage_fibre_direction_of(w_i));
   const float cosine = pelage_absolute(w_i.z);
   const float divisor = cosine > 0.0 ? cosine : 1.0;
-  const vec3 value = vec3(result.value[0], result.value[1], result.value[2]);
-  return pelage_chiang_bsdf(value / divisor, result.density);
+  return pelage_chiang_bsdf(result.value / divisor, result.density);
 }
 
 precise pelage_chiang_sample pelage_sample_chiang(pelage_chiang_fibre fibre, pelage_chiang_view view, float u[4]) {

@@ -37,8 +37,8 @@ struct pelage_marschner_parameters {
 /// One evaluation, with its parts.
 struct pelage_marschner_result {
   float longitudinal[3];  ///< M of R, TT, TRT, per radian
-  float azimuthal[3][3];  ///< N of R, TT, TRT, each for red, green, blue, per radian
-  float scattering[3];    ///< S for red, green, blue: Σ M N/cos²θ_d; times light · cos θ_i
+  vec3 azimuthal[3];      ///< N of R, TT, TRT, each for red, green, blue, per radian
+  vec3 scattering;        ///< S for red, green, blue: Σ M N/cos²θ_d; times light · cos θ_i
 };
 
 /// The values that the paper takes for hair: η 1.55, α -0.12 (7°), β 0.13 (7.5°), round, caustic 0.26, 0.5, 1, 0.3.
@@ -76,18 +76,24 @@ precise float pelage_path_attenuation(pelage_fibre_section section, int path, fl
   return path == 0 ? surface.reflected : passed * inner;
 }
 
+/// The same for red, green, blue.
+vec3 pelage_colour_attenuation(pelage_fibre_section section, int path, float sin_gamma, float cos_gamma,
+                               float sigma_a[3]) {
+  return vec3(pelage_path_attenuation(section, path, sin_gamma, cos_gamma, sigma_a[0]),
+              pelage_path_attenuation(section, path, sin_gamma, cos_gamma, sigma_a[1]),
+              pelage_path_attenuation(section, path, sin_gamma, cos_gamma, sigma_a[2]));
+}
+
 /// N_p(θ_d, φ) per radian and channel by summing A/|2 dφ/dh| over the path's roots, no caustic treatment; 0 without
 /// roots. ∫ N_p dφ is ½ ∫ A(p, h) dh.
-precise float[3] pelage_bare_azimuthal(pelage_fibre_section section, int path, float phi, float sigma_a[3]) {
+precise vec3 pelage_bare_azimuthal(pelage_fibre_section section, int path, float phi, float sigma_a[3]) {
   const pelage_scattering_roots roots = pelage_find_scattering_roots(path, phi, section.excess);
-  float sum[3] = float[3](0.0, 0.0, 0.0);
+  vec3 sum = vec3(0.0);
   for (uint k = 0u; k < 3u; ++k) {
     if (k < roots.count) {
       const pelage_scattering_root root = roots.root[k];
       const float density = root.cosine / (4.0 * pelage_greatest(pelage_absolute(root.slope), 1e-6));
-      for (uint c = 0u; c < 3u; ++c) {
-        sum[c] = sum[c] + density * pelage_path_attenuation(section, path, root.sine, root.cosine, sigma_a[c]);
-      }
+      sum = sum + density * pelage_colour_attenuation(section, path, root.sine, root.cosine, sigma_a);
     }
   }
   return sum;
@@ -100,8 +106,8 @@ precise float pelage_gaussian(float x, float deviation) {
 }
 
 /// N_TRT with its caustic faded out and a Gaussian of the same energy put in. [Marschner 2003 App. B]
-precise float[3] pelage_smooth_trt(pelage_fibre_section section, float phi, float sigma_a[3],
-                                   pelage_caustic_treatment caustic) {
+precise vec3 pelage_smooth_trt(pelage_fibre_section section, float phi, float sigma_a[3],
+                               pelage_caustic_treatment caustic) {
   const float eta = section.eta_perpendicular;
   const pelage_caustic_point point = pelage_find_caustic(section.excess);
   const float phi_c = 2.0 * point.half_azimuth;
@@ -117,16 +123,12 @@ precise float[3] pelage_smooth_trt(pelage_fibre_section section, float phi, floa
   const float left = pelage_gaussian(pelage_wrapped_angle(azimuth + phi_c), caustic.width);
   const float kept = (1.0 - strength * right / peak) * (1.0 - strength * left / peak);
   const float put = strength * caustic.intensity * width * (right + left);
-  float value[3] = pelage_bare_azimuthal(section, 2, phi, sigma_a);
-  for (uint c = 0u; c < 3u; ++c) {
-    value[c] = value[c] * kept + put * pelage_path_attenuation(section, 2, point.sine, point.cosine, sigma_a[c]);
-  }
-  return value;
+  return pelage_bare_azimuthal(section, 2, phi, sigma_a) * kept +
+         put * pelage_colour_attenuation(section, 2, point.sine, point.cosine, sigma_a);
 }
 
 /// N_TRT, its caustic as the treatment says.
-float[3] pelage_treated_trt(pelage_fibre_section section, float phi, float sigma_a[3],
-                            pelage_caustic_treatment caustic) {
+vec3 pelage_treated_trt(pelage_fibre_section section, float phi, float sigma_a[3], pelage_caustic_treatment caustic) {
   if (caustic.smoothed) {
     return pelage_smooth_trt(section, phi, sigma_a, caustic);
   }
@@ -168,13 +170,11 @@ precise pelage_marschner_result pelage_evaluate_marschner(pelage_marschner_param
   const pelage_fibre_section bent_section = pelage_make_fibre_section(bent, theta_d);
   result.azimuthal[2] = pelage_treated_trt(bent_section, phi, parameters.sigma_a, parameters.caustic);
   const float cosine = pelage_greatest(pelage_rotation_by(theta_d).cosine, 1e-6);
-  for (uint c = 0u; c < 3u; ++c) {
-    float sum = 0.0;
-    for (uint p = 0u; p < 3u; ++p) {
-      sum = sum + result.longitudinal[p] * result.azimuthal[p][c];
-    }
-    result.scattering[c] = sum / (cosine * cosine);
+  vec3 sum = vec3(0.0);
+  for (uint p = 0u; p < 3u; ++p) {
+    sum = sum + result.longitudinal[p] * result.azimuthal[p];
   }
+  result.scattering = sum / (cosine * cosine);
   return result;
 }
 

@@ -27,10 +27,9 @@ precise float pelage_table_coordinate(float position, uint count);
 
 pelage_marschner_lobes pelage_azimuthal_lobes(pelage_fibre_section section, pelage_marschner_parameters parameters,
                                               float phi) {
-  const float r[3] = pelage_bare_azimuthal(section, 0, phi, parameters.sigma_a);
-  const float tt[3] = pelage_bare_azimuthal(section, 1, phi, parameters.sigma_a);
-  const float trt[3] = pelage_treated_trt(section, phi, parameters.sigma_a, parameters.caustic);
-  return pelage_marschner_lobes(vec3(r[0], r[1], r[2]), vec3(tt[0], tt[1], tt[2]), vec3(trt[0], trt[1], trt[2]));
+  return pelage_marschner_lobes(pelage_bare_azimuthal(section, 0, phi, parameters.sigma_a),
+                                pelage_bare_azimuthal(section, 1, phi, parameters.sigma_a),
+                                pelage_treated_trt(section, phi, parameters.sigma_a, parameters.caustic));
 }
 
 precise float pelage_table_coordinate(float position, uint count) {

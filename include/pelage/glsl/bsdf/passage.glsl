@@ -34,39 +34,44 @@ uint[PELAGE_MEAN_PASSAGE_PANELS] PELAGE_MEAN_PASSAGE_PANELS_has_one_value_in_a_s
 #ifndef PELAGE_BSDF_PASSAGE_GLSL_ONCE
 
 /// A_1 for a ray through the fibre's axis (h = 0). `sin_theta`: of the ray's inclination, [-1, 1]; 0 at the ends.
-precise float[3] pelage_axial_passage(float eta, float sigma_a[3], float sin_theta);
+precise vec3 pelage_axial_passage(float eta, float sigma_a[3], float sin_theta);
 
 #endif
 
 /// A_1 averaged over the width, ½ ∫ A_1(h) dh, by the rule of pelage_evaluate_chiang_far(). For η in [1, 3], any
 /// absorption and inclination, 2 panels are within 7.5e-3, 4 within 2e-3 and 8 within 5e-4.
-precise float[3] pelage_mean_passage(float eta, float sigma_a[3], float sin_theta);
+precise vec3 pelage_mean_passage(float eta, float sigma_a[3], float sin_theta);
+
+#ifndef PELAGE_BSDF_PASSAGE_GLSL_ONCE
+
+/// A_1 of a section for red, green, blue.
+vec3 pelage_detail_colour_passage(pelage_detail_chiang_section section, float sigma_a[3]) {
+  return vec3(pelage_detail_chiang_attenuation(section, sigma_a[0])[1],
+              pelage_detail_chiang_attenuation(section, sigma_a[1])[1],
+              pelage_detail_chiang_attenuation(section, sigma_a[2])[1]);
+}
+
+#endif
 
 // ---------------------------------------------------------------------------------------------------------
 
 #ifndef PELAGE_BSDF_PASSAGE_GLSL_ONCE
 
-precise float[3] pelage_axial_passage(float eta, float sigma_a[3], float sin_theta) {
+precise vec3 pelage_axial_passage(float eta, float sigma_a[3], float sin_theta) {
   const float cosine = pelage_square_root(pelage_greatest((1.0 - sin_theta) * (1.0 + sin_theta), 0.0));
   const pelage_detail_chiang_section section = pelage_detail_cross_chiang_section(eta, 0.0, sin_theta, cosine);
-  float passage[3];
-  for (uint c = 0u; c < 3u; ++c) {
-    passage[c] = pelage_detail_chiang_attenuation(section, sigma_a[c])[1];
-  }
-  return passage;
+  return pelage_detail_colour_passage(section, sigma_a);
 }
 
 #endif
 
-precise float[3] pelage_mean_passage(float eta, float sigma_a[3], float sin_theta) {
+precise vec3 pelage_mean_passage(float eta, float sigma_a[3], float sin_theta) {
   const float cosine = pelage_square_root(pelage_greatest((1.0 - sin_theta) * (1.0 + sin_theta), 0.0));
-  float passage[3] = float[3](0.0, 0.0, 0.0);
+  vec3 passage = vec3(0.0);
   for (int node = 0; node < 3 * PELAGE_MEAN_PASSAGE_PANELS; ++node) {
     const pelage_width_node place = pelage_fibre_width_node(node, PELAGE_MEAN_PASSAGE_PANELS);
     const pelage_detail_chiang_section section = pelage_detail_cross_chiang_section(eta, place.h, sin_theta, cosine);
-    for (uint c = 0u; c < 3u; ++c) {
-      passage[c] = passage[c] + place.weight * pelage_detail_chiang_attenuation(section, sigma_a[c])[1];
-    }
+    passage = passage + place.weight * pelage_detail_colour_passage(section, sigma_a);
   }
   return passage;
 }
