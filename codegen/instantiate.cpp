@@ -171,26 +171,26 @@ template fragment two_pass_k_buffer::at<16u>(const cells&, std::uint32_t, std::u
 template fragment two_pass_k_buffer::at<13u>(const cells&, std::uint32_t, std::uint32_t) noexcept;
 
 // visibility
-template void extend_depth_range(cells&, std::uint32_t, float) noexcept;
-template depth_range load_depth_range(const cells&, std::uint32_t) noexcept;
+template void atomic_depth_range::extend(cells&, std::uint32_t, float) noexcept;
+template depth_range atomic_depth_range::load(const cells&, std::uint32_t) noexcept;
 template struct occupancy_map<128u, 4u>;
 template struct occupancy_map<96u, 12u>;
-template void add_to_occupancy_map<occupancy_map<128u, 4u>>(cells&, std::uint32_t, float, std::uint32_t) noexcept;
-template void add_to_occupancy_map<occupancy_map<96u, 12u>>(cells&, std::uint32_t, float, std::uint32_t) noexcept;
-template occupancy_map<128u, 4u> load_occupancy_map(const cells&, std::uint32_t) noexcept;
-template occupancy_map<96u, 12u> load_occupancy_map(const cells&, std::uint32_t) noexcept;
+template void atomic_occupancy_map::add<occupancy_map<128u, 4u>>(cells&, std::uint32_t, float, std::uint32_t) noexcept;
+template void atomic_occupancy_map::add<occupancy_map<96u, 12u>>(cells&, std::uint32_t, float, std::uint32_t) noexcept;
+template occupancy_map<128u, 4u> atomic_occupancy_map::load(const cells&, std::uint32_t) noexcept;
+template occupancy_map<96u, 12u> atomic_occupancy_map::load(const cells&, std::uint32_t) noexcept;
 template struct opacity_map<16u>;
 template struct opacity_map<13u>;
-template void add_to_opacity_map<16u>(cells&, std::uint32_t, float, std::uint32_t) noexcept;
-template void add_to_opacity_map<13u>(cells&, std::uint32_t, float, std::uint32_t) noexcept;
-template opacity_map<16u> load_opacity_map(const cells&, std::uint32_t) noexcept;
-template opacity_map<13u> load_opacity_map(const cells&, std::uint32_t) noexcept;
+template void atomic_opacity_map::add<opacity_map<16u>>(cells&, std::uint32_t, float, std::uint32_t) noexcept;
+template void atomic_opacity_map::add<opacity_map<13u>>(cells&, std::uint32_t, float, std::uint32_t) noexcept;
+template opacity_map<16u> atomic_opacity_map::load(const cells&, std::uint32_t) noexcept;
+template opacity_map<13u> atomic_opacity_map::load(const cells&, std::uint32_t) noexcept;
 template struct density_clusters<4u>;
 template struct density_clusters<3u>;
-template void add_to_density_clusters<4u>(cells&, std::uint32_t, float) noexcept;
-template void add_to_density_clusters<3u>(cells&, std::uint32_t, float) noexcept;
-template density_clusters<4u> load_density_clusters(const cells&, std::uint32_t) noexcept;
-template density_clusters<3u> load_density_clusters(const cells&, std::uint32_t) noexcept;
+template void atomic_density_clusters::add<density_clusters<4u>>(cells&, std::uint32_t, float) noexcept;
+template void atomic_density_clusters::add<density_clusters<3u>>(cells&, std::uint32_t, float) noexcept;
+template density_clusters<4u> atomic_density_clusters::load(const cells&, std::uint32_t) noexcept;
+template density_clusters<3u> atomic_density_clusters::load(const cells&, std::uint32_t) noexcept;
 template void deep_shadow_builder::add(span_vertex_storage&, float, float) noexcept;
 template void deep_shadow_builder::finish(span_vertex_storage&) noexcept;
 template float deep_shadow_at(const span_vertex_storage&, std::uint32_t, std::uint32_t, float) noexcept;
@@ -209,10 +209,12 @@ template void atomic_tail::add(cells&, std::uint32_t, const tail&) noexcept;
 template tail atomic_tail::load(const cells&, std::uint32_t) noexcept;
 template struct stochastic_depths<16u>;
 template struct stochastic_depths<13u>;
-template void add_to_stochastic_depths<16u>(cells&, std::uint32_t, fragment, float, std::uint32_t) noexcept;
-template void add_to_stochastic_depths<13u>(cells&, std::uint32_t, fragment, float, std::uint32_t) noexcept;
-template stochastic_depths<16u> load_stochastic_depths(const cells&, std::uint32_t) noexcept;
-template stochastic_depths<13u> load_stochastic_depths(const cells&, std::uint32_t) noexcept;
+template void atomic_stochastic_depths::add<stochastic_depths<16u>>(cells&, std::uint32_t, fragment, float,
+                                                                    std::uint32_t) noexcept;
+template void atomic_stochastic_depths::add<stochastic_depths<13u>>(cells&, std::uint32_t, fragment, float,
+                                                                    std::uint32_t) noexcept;
+template stochastic_depths<16u> atomic_stochastic_depths::load(const cells&, std::uint32_t) noexcept;
+template stochastic_depths<13u> atomic_stochastic_depths::load(const cells&, std::uint32_t) noexcept;
 
 // bsdf
 template kajiya_kay_lobes<float> kajiya_kay(const vec3&, const vec3&, const vec3&, float) noexcept;

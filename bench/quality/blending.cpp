@@ -9,7 +9,6 @@
 #include <pelage/core/mixed_bits.hpp>
 #include <pelage/visibility/occupancy_map.hpp>
 
-#include <cmath>
 #include <string>
 
 #include "frame/blends/unordered.hpp"
@@ -72,18 +71,16 @@ glm::vec3 by_deep_opacity(const pixel& p, bool corrected) {
 
 /// The paper's own weight: the order is counted, and all fragments have the mean alpha.
 glm::vec3 by_counted_order(const pixel& p) {
-  const auto slice = [&](const layer& l) {
-    return std::floor(slice_position(p.t.range.relative(l.where.depth), 127U));
-  };
+  const auto position = [&](const layer& l) { return slice_position(p.t.range.relative(l.where.depth), 128U); };
   occupancy_map<> map = occupancy_map<>::empty();
   float mean = 0.0F;
   for (const layer& l : p.layers) {
-    map.add(slice(l), 1U);
+    map.add(position(l), 1U);
     mean += l.alpha / static_cast<float>(p.layers.size());
   }
   tail sum = empty_tail();
   for (const layer& l : p.layers) {
-    const float before = mean > 0.0F ? order_weight(mean, map.amount_before(slice(l))) / mean : 1.0F;
+    const float before = mean > 0.0F ? order_weight(mean, map.amount_before_fragment(position(l))) / mean : 1.0F;
     sum = add_weighted(sum, l.alpha, l.alpha * before, l.radiance);
   }
   return resolve(sum, background);

@@ -213,7 +213,7 @@ class race {
       std::fill(cells->begin(), cells->end(), 0u);
       atomic_cells<std::uint32_t> storage{*cells};
       for (const std::uint32_t i : scene_.arrival) {
-        extend_depth_range(storage, static_cast<std::uint32_t>(i / scene_.per_texel), scene_.all[i].depth);
+        atomic_depth_range::extend(storage, static_cast<std::uint32_t>(i / scene_.per_texel), scene_.all[i].depth);
       }
     });
   }
@@ -225,8 +225,8 @@ class race {
       std::fill(cells->begin(), cells->end(), 0u);
       atomic_cells<std::uint32_t> storage{*cells};
       for (const std::uint32_t i : scene_.arrival) {
-        add_to_occupancy_map<map>(storage, static_cast<std::uint32_t>(i / scene_.per_texel),
-                                  slice_position(scene_.relative[i], 128u), 1u);
+        atomic_occupancy_map::add<map>(storage, static_cast<std::uint32_t>(i / scene_.per_texel),
+                                       slice_position(scene_.relative[i], 128u), 1u);
       }
     });
   }

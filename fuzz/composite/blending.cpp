@@ -88,13 +88,14 @@ void check_samples(const std::vector<layer>& all, std::uint32_t seed) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     depths.add(all[i].where, all[i].alpha, stream);
     const layer& other = all[all.size() - 1 - i];
-    add_to_stochastic_depths<samples>(storage, 0u, other.where, other.alpha, seed);
+    atomic_stochastic_depths::add<stochastic_depths<samples>>(storage, 0u, other.where, other.alpha, seed);
     if (is_fragment(all[i].where) && all[i].alpha >= 1.0f) {
       opaque = true;
       nearest_opaque = std::min(nearest_opaque, all[i].where.depth);
     }
   }
-  law(depths.nearest == load_stochastic_depths<samples>(storage, 0u).nearest, "samples depend on no order");
+  law(depths.nearest == atomic_stochastic_depths::load<stochastic_depths<samples>>(storage, 0u).nearest,
+      "samples depend on no order");
   for (const layer& l : all) {
     const float passed = depths.transmittance_before(l.where.depth);
     law(passed >= 0.0f && passed <= 1.0f, "a share of samples is in [0, 1]");

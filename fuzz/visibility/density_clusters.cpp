@@ -29,9 +29,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   atomic_cells<std::uint32_t> storage{cells};
   for (std::size_t i = 0; i < positions.size(); ++i) {
     clusters.add(positions[i]);
-    add_to_density_clusters<bins>(storage, 0u, positions[positions.size() - 1 - i]);
+    atomic_density_clusters::add<density_clusters<bins>>(storage, 0u, positions[positions.size() - 1 - i]);
   }
-  law(fuzz::same_bits(clusters, load_density_clusters<bins>(storage, 0u)), "clusters depend on no order");
+  law(fuzz::same_bits(clusters, atomic_density_clusters::load<density_clusters<bins>>(storage, 0u)),
+      "clusters depend on no order");
 
   const auto before = [&](std::uint32_t bin) {
     std::uint32_t number = 0;

@@ -96,9 +96,9 @@ void check_occupancy(const std::vector<amount_at>& fragments, const std::vector<
   for (std::size_t i = 0; i < fragments.size(); ++i) {
     map.add(fragments[i].at, fragments[i].amount);
     const amount_at& other = fragments[fragments.size() - 1 - i];
-    add_to_occupancy_map<map_type>(storage, 0u, other.at, other.amount);
+    atomic_occupancy_map::add<map_type>(storage, 0u, other.at, other.amount);
   }
-  law(fuzz::same_bits(map, load_occupancy_map<map_type>(storage, 0u)), "cells hold the same map");
+  law(fuzz::same_bits(map, atomic_occupancy_map::load<map_type>(storage, 0u)), "cells hold the same map");
   std::vector<float> amounts(positions.size());
   amounts_before(map, positions, amounts);
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -115,9 +115,9 @@ void check_opacity(const std::vector<amount_at>& fragments, const std::vector<fl
   for (std::size_t i = 0; i < fragments.size(); ++i) {
     map.add(fragments[i].at, fragments[i].amount);
     const amount_at& other = fragments[fragments.size() - 1 - i];
-    add_to_opacity_map<Layers>(storage, 0u, other.at, other.amount);
+    atomic_opacity_map::add<opacity_map<Layers>>(storage, 0u, other.at, other.amount);
   }
-  law(fuzz::same_bits(map, load_opacity_map<Layers>(storage, 0u)), "cells hold the same map");
+  law(fuzz::same_bits(map, atomic_opacity_map::load<opacity_map<Layers>>(storage, 0u)), "cells hold the same map");
   auto accumulated = map;
   accumulated.accumulate();
   float before = 0.0f;

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Copyright (c) 2026 The Pelage authors
 # SPDX-License-Identifier: MIT
-# units.sh INCLUDE_DIR COMPILER: two units of one program, compiled for different vectors, share no function of
-# Pelage's (those of GLM and std they share where nothing is inlined), and have the same bits.
+# units.sh INCLUDE_DIR COMPILER: two units of one program, compiled for different vectors or instructions for bits,
+# share no function of Pelage's (those of GLM and std they share where nothing is inlined), and have the same bits.
 set -euo pipefail
 include=$1 compiler=$2
 
@@ -22,8 +22,17 @@ shared() {
   comm -12 "$work/base.names" "$work/wide.names"
 }
 
+# Each extension that a unit can have of its own names a namespace of its own.
+extensions=(-m{no-,}sse4.1 -mpopcnt -mbmi "-mbmi -mpopcnt" -mavx -mavx2 "-mavx2 -mbmi2" -mavx512f "-mavx512f -mavx512vl")
+for flags in "${extensions[@]}"; do
+  # shellcheck disable=SC2086
+  "$compiler" -std=c++20 -E -P -I"$include" $flags -x c++ - <<<'#include <pelage/version.hpp>
+PELAGE_ABI' | tail -n 1
+done | sort | uniq -d >"$work/twice"
+[[ ! -s $work/twice ]] || { echo "$compiler: units of two kinds are called $(cat "$work/twice")" >&2; exit 1; }
+
 cp -r "$include" "$work/one"
-sed -i 's/^#define PELAGE_VECTORS .*/#define PELAGE_VECTORS/' "$work/one/pelage/version.hpp"
+sed -i 's/^#define PELAGE_\(VECTORS\|COUNTS\) .*/#define PELAGE_\1/' "$work/one/pelage/version.hpp"
 [[ $(shared "$work/one" -O0) == *pelage* ]] || { echo "$compiler: shared functions would not be noticed" >&2; exit 1; }
 
 for level in -O0 -O2; do

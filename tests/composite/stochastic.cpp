@@ -49,11 +49,13 @@ TEST_CASE("any order of fragments and any number of threads give the same bits, 
     for (std::uint32_t threads = 1u; threads <= 8u; threads *= 2u) {
       cells_of<shaken_cells> storage(24u, 0xffffffffu);
       deal_to_threads(threads, veils.size(), [&](std::size_t i) {
-        add_to_stochastic_depths<8u>(storage, 1u, veils[i].where, veils[i].alpha, seed);
+        atomic_stochastic_depths::add<stochastic_depths<8u>>(storage, 1u, veils[i].where, veils[i].alpha, seed);
       });
-      RC_ASSERT(load_stochastic_depths<8u>(storage, 1u).nearest == expected.nearest);
-      RC_ASSERT(load_stochastic_depths<8u>(storage, 0u).nearest == stochastic_depths<8u>::empty().nearest);
-      RC_ASSERT(load_stochastic_depths<8u>(storage, 2u).nearest == stochastic_depths<8u>::empty().nearest);
+      RC_ASSERT(atomic_stochastic_depths::load<stochastic_depths<8u>>(storage, 1u).nearest == expected.nearest);
+      RC_ASSERT(atomic_stochastic_depths::load<stochastic_depths<8u>>(storage, 0u).nearest ==
+                stochastic_depths<8u>::empty().nearest);
+      RC_ASSERT(atomic_stochastic_depths::load<stochastic_depths<8u>>(storage, 2u).nearest ==
+                stochastic_depths<8u>::empty().nearest);
     }
   });
   const std::vector<veil> veils{{fragment{1.0f, 1u}, 0.5f}};

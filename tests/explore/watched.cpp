@@ -175,6 +175,18 @@ TEST_CASE("fence and await are the program's own over std::atomic, the explorer'
   await(own, 1);
 }
 
+TEST_CASE("a replay says how many steps it passed over") {
+  void (*const adds)(many_atomics<1>&) = [](many_atomics<1>& m) { m.cells[0].fetch_add(1); };
+  const auto make = of_bodies<many_atomics<1>>({adds, adds});
+  for (const auto& [schedule, said] : {std::pair{"ab", 0}, {"ba", 0}, {"aa2zb", 2}, {"abb!a", 2}}) {
+    std::ostringstream steps;
+    CHECK(replay(make, schedule, steps));
+    const std::string line =
+        "not this program's schedule: " + std::to_string(said) + " of its steps are not possible\n";
+    CHECK_MESSAGE((steps.str().find(said > 0 ? line : "not this") != std::string::npos) == (said > 0), steps.str());
+  }
+}
+
 TEST_CASE("any text is a schedule: what it asks for and cannot be had is passed over") {
   pelage::test::holds("any text is a schedule", [] {
     const auto text = *rc::gen::container<std::string>(rc::gen::elementOf(std::string("abc09!z ")));

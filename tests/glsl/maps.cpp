@@ -54,15 +54,15 @@ struct map_cells {
     const tail one{f.id, f.id >> 4U, f.id >> 8U, f.id >> 12U, f.id & 1U};
     begin = 0;
     atomic_cells<std::uint32_t> ranges = next(range_cells);
-    extend_depth_range(ranges, texel, f.depth);
+    atomic_depth_range::extend(ranges, texel, f.depth);
     atomic_cells<std::uint32_t> occupancies = next(occupancy::cells);
-    add_to_occupancy_map<occupancy>(occupancies, texel, share * 128.0F, f.id);
+    atomic_occupancy_map::add<occupancy>(occupancies, texel, share * 128.0F, f.id);
     atomic_cells<std::uint32_t> opacities = next(layers);
-    add_to_opacity_map<layers>(opacities, texel, share * 16.0F, f.id);
+    atomic_opacity_map::add<opacity_map<layers>>(opacities, texel, share * 16.0F, f.id);
     atomic_cells<std::uint32_t> densities = next(density_clusters<clusters>::cells);
-    add_to_density_clusters<clusters>(densities, texel, share * 4.0F);
+    atomic_density_clusters::add<density_clusters<clusters>>(densities, texel, share * 4.0F);
     atomic_cells<std::uint32_t> stochastic = next(samples);
-    add_to_stochastic_depths<samples>(stochastic, texel, f, share, 7U);
+    atomic_stochastic_depths::add<stochastic_depths<samples>>(stochastic, texel, f, share, 7U);
     atomic_cells<std::uint32_t> tails = next(sums);
     atomic_tail::add(tails, texel, one);
   }
@@ -73,17 +73,18 @@ struct map_cells {
     const auto give = [&](const auto& values) { all.insert(all.end(), values.begin(), values.end()); };
     const auto give_tail = [&](const tail& t) { give(std::array{t.optical, t.weight, t.red, t.green, t.blue}); };
     begin = 0;
-    const depth_range range = load_depth_range(next(range_cells), texel);
+    const depth_range range = atomic_depth_range::load(next(range_cells), texel);
     give(std::array{range.nearest, range.farthest});
-    const auto occupied = load_occupancy_map<occupancy>(next(occupancy::cells), texel);
+    const auto occupied = atomic_occupancy_map::load<occupancy>(next(occupancy::cells), texel);
     give(occupied.occupied);
     give(occupied.amount);
-    give(load_opacity_map<layers>(next(layers), texel).amount);
-    const auto density = load_density_clusters<clusters>(next(density_clusters<clusters>::cells), texel);
+    give(atomic_opacity_map::load<opacity_map<layers>>(next(layers), texel).amount);
+    const auto density =
+        atomic_density_clusters::load<density_clusters<clusters>>(next(density_clusters<clusters>::cells), texel);
     give(density.count);
     give(density.sum);
     give(density.squares);
-    give(load_stochastic_depths<samples>(next(samples), texel).nearest);
+    give(atomic_stochastic_depths::load<stochastic_depths<samples>>(next(samples), texel).nearest);
     give_tail(atomic_tail::load(next(sums), texel));
     return all;
   }

@@ -65,8 +65,10 @@ void maps_row(row in, results& out) {
     out.put(clusters.squares[i]);
   }
   out.put(occupancy.amount_before(slice_position(look, 128U)));
+  out.put(occupancy.amount_before_fragment(slice_position(look, 128U)));
   out.put(few.amount_before(slice_position(look, 96U)));
   out.put(opacity.amount_before(slice_position(look, 16U)));
+  out.put(opacity.amount_before_fragment(slice_position(look, 16U)));
   opacity.accumulate();
   put(out, opacity.amount);
   out.put(opacity.accumulated_before(slice_position(look, 16U)));
@@ -124,8 +126,9 @@ TEST_CASE("Maps have the same bits on every device, look-ups in them differ by t
              {"opacity_map add, merge, total", 17, bits(), bits()},
              {"density_clusters add", 12, bits(), bits()},
              {"occupancy_map amount_before", 1, 0, 4},
+             {"occupancy_map amount_before_fragment", 1, 0, 4},
              {"occupancy_map amount_before, 96 slices", 1, 0, 4},
-             {"opacity_map amount_before", 1, 0, 0},
+             {"opacity_map amount_before, amount_before_fragment", 2, 0, 0},
              {"opacity_map accumulate", 16, bits(), bits()},
              {"opacity_map accumulated_before", 1, 0, 0},
              {"density_clusters count_before", 1, 0, 256, 1.0F},  // its variances cancel

@@ -18,9 +18,11 @@ struct clusters {
   static void add(map& m, float position, std::uint32_t) { m.add(position); }
   static float before(const map& m, float position) { return m.count_before(position); }
   static void add_shared(auto& storage, std::uint32_t texel, float position, std::uint32_t) {
-    add_to_density_clusters<K>(storage, texel, position);
+    atomic_density_clusters::add<density_clusters<K>>(storage, texel, position);
   }
-  static map load(const auto& storage, std::uint32_t texel) { return load_density_clusters<K>(storage, texel); }
+  static map load(const auto& storage, std::uint32_t texel) {
+    return atomic_density_clusters::load<density_clusters<K>>(storage, texel);
+  }
 };
 
 TEST_CASE("clusters keep the laws of a map that counts") {

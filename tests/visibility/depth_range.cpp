@@ -117,12 +117,13 @@ TEST_CASE("threads and merges in any order leave the same bits") {
     const depth_range expected = range_of(depths);
     for (std::uint32_t threads = 1u; threads <= 8u; threads *= 2u) {
       cells_of<shaken_cells> storage(6u, 0u);
-      deal_to_threads(threads, depths.size(), [&](std::size_t i) { extend_depth_range(storage, 1u, depths[i]); });
-      const depth_range built = load_depth_range(storage, 1u);
+      deal_to_threads(threads, depths.size(),
+                      [&](std::size_t i) { atomic_depth_range::extend(storage, 1u, depths[i]); });
+      const depth_range built = atomic_depth_range::load(storage, 1u);
       RC_ASSERT(built.nearest == expected.nearest);
       RC_ASSERT(built.farthest == expected.farthest);
-      RC_ASSERT(load_depth_range(storage, 0u).is_empty());
-      RC_ASSERT(load_depth_range(storage, 2u).is_empty());
+      RC_ASSERT(atomic_depth_range::load(storage, 0u).is_empty());
+      RC_ASSERT(atomic_depth_range::load(storage, 2u).is_empty());
     }
     const auto middle = depths.begin() + *rc::gen::inRange<std::ptrdiff_t>(0, std::ssize(depths) + 1);
     depth_range merged = range_of({middle, depths.end()});

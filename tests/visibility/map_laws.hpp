@@ -9,13 +9,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
 
 /// The laws that every map of layers keeps. A map under test is described by a struct with: map, layers (its greatest
 /// position), cells (a texel), exact_at(layer) (whether its answer is exact at that layer's begin), add(map, position,
-/// amount), before(map, position), add_shared(storage, texel, position, amount), load(storage, texel).
+/// amount), before(map, position), and for check_own() before_fragment(map, position), add_shared(storage, texel,
+/// position, amount), load(storage, texel).
 namespace pelage::test {
 
 struct entry {
@@ -101,6 +103,34 @@ void check_map_laws(std::uint32_t most) {
       RC_ASSERT(bits(Described::load(storage, 1u)) == bits(map_of<Described>(entries)));
       RC_ASSERT(bits(Described::load(storage, 0u)) == bits(Described::map::empty()));
       RC_ASSERT(bits(Described::load(storage, 2u)) == bits(Described::map::empty()));
+    }
+  });
+}
+
+template <class Described>
+void check_own() {
+  holds("a fragment of the map is not among those before itself, the farthest neither", [] {
+    const std::vector<entry> entries = draw_entries<Described>(1000u);
+    const auto map = map_of<Described>(entries);
+    const auto layer = [](const entry& e) { return layer_at(e.position, Described::layers); };
+    for (const entry& each : entries) {
+      const double truth = truly_before<Described>(entries, layer(each));
+      const float found = Described::before_fragment(map, each.position);
+      RC_ASSERT((found == 0.0f) == (truth == 0.0));
+      RC_ASSERT(found < truly_before<Described>(entries, Described::layers));
+      RC_ASSERT(!Described::exact_at(layer(each)) || found == truth);
+    }
+  });
+  holds("with one fragment a layer it is their order", [] {
+    const auto held = *rc::gen::container<std::array<bool, Described::layers>>(rc::gen::arbitrary<bool>());
+    std::vector<entry> entries;
+    for (std::uint32_t i = 0u; i < Described::layers; ++i) {
+      const float inside = *rc::gen::element(0.0f, 0.5f, i + 1u == Described::layers ? 1.0f : 0.75f);
+      if (held[i]) entries.push_back({static_cast<float>(i) + inside, 1u});
+    }
+    const auto map = map_of<Described>(entries);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      RC_ASSERT(std::abs(Described::before_fragment(map, entries[i].position) - static_cast<float>(i)) < 1e-5f);
     }
   });
 }

@@ -24,10 +24,13 @@ struct opacity {
   static bool exact_at(std::uint32_t) { return true; }
   static void add(map& m, float position, std::uint32_t amount) { m.add(position, amount); }
   static float before(const map& m, float position) { return m.amount_before(position); }
+  static float before_fragment(const map& m, float position) { return m.amount_before_fragment(position); }
   static void add_shared(auto& storage, std::uint32_t texel, float position, std::uint32_t amount) {
-    add_to_opacity_map<Layers>(storage, texel, position, amount);
+    atomic_opacity_map::add<opacity_map<Layers>>(storage, texel, position, amount);
   }
-  static map load(const auto& storage, std::uint32_t texel) { return load_opacity_map<Layers>(storage, texel); }
+  static map load(const auto& storage, std::uint32_t texel) {
+    return atomic_opacity_map::load<opacity_map<Layers>>(storage, texel);
+  }
 };
 
 /// The same after accumulate().
@@ -43,6 +46,11 @@ TEST_CASE("opacity maps keep the laws of a map") {
   check_map_laws<opacity<4u>>(1000u);
   check_map_laws<opacity<33u>>(1u);
   check_merge<opacity<4u>>(1000u);
+}
+
+TEST_CASE("a fragment of the map does not lie before itself") {
+  check_own<opacity<4u>>();
+  check_own<opacity<33u>>();
 }
 
 TEST_CASE("they are kept with sums of any size but those that end at their range") {

@@ -8,8 +8,6 @@
 #include <pelage/visibility/depth_range.hpp>
 #include <pelage/visibility/occupancy_map.hpp>
 
-#include <cmath>
-
 namespace pelage::frame {
 namespace {
 
@@ -24,14 +22,13 @@ depth_range range_of(std::span<const layer> layers) {
 
 glm::vec3 blend_order_weighted(std::span<const layer> layers, const glm::vec3& background) {
   const depth_range range = range_of(layers);
-  // A layer stands where its slice begins, so that it does not lie before itself; the farthest, in the last slice.
-  const auto slice = [&](const layer& l) { return std::floor(slice_position(range.relative(l.where.depth), 127U)); };
+  const auto position = [&](const layer& l) { return slice_position(range.relative(l.where.depth), 128U); };
   occupancy_map<128, 4> map = occupancy_map<128, 4>::empty();
   for (const layer& l : layers)
-    map.add(slice(l), optical_depth(l.alpha));
+    map.add(position(l), optical_depth(l.alpha));
   tail sum = empty_tail();
   for (const layer& l : layers)
-    sum = add_weighted(sum, l.alpha, optical_weight(l.alpha, map.amount_before(slice(l))), l.radiance);
+    sum = add_weighted(sum, l.alpha, optical_weight(l.alpha, map.amount_before_fragment(position(l))), l.radiance);
   return resolve(sum, background);
 }
 

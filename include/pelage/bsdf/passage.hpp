@@ -16,7 +16,8 @@ namespace pelage::inline PELAGE_ABI {
 /// It is the TT lobe's A_1 = (1 - F)² T of the BSDF itself, so that a path that takes a fibre for a filter and one that
 /// scatters in it agree: averaged over the width it is the integral of the TT lobe over all directions. Light that R,
 /// TRT and the residual lobe take out of the path is what those lobes scatter. The lobe's spread is the one thing that
-/// the straight path leaves out. Along the axis with σ_a = 0 it is fibre_attenuation().
+/// the straight path leaves out. Along the axis with σ_a = 0 it is fibre_attenuation(), the A(η, θ) of [Yu12 §3.1],
+/// which knows neither the fibre's colour nor where across its width light meets it.
 
 /// A_1 for a ray through the fibre's axis (h = 0). `sin_theta`: of the ray's inclination, [-1, 1]; 0 at the ends.
 template <std::floating_point Real>

@@ -8,9 +8,9 @@
 namespace pelage::inline PELAGE_ABI {
 
 /// One layer of a pixel at a time, without memory for more: the reference that the approximations are compared with.
-/// [Everitt 2001] Each pass offers all fragments in any order; then advance() and begin the next, until layer() is
-/// none. n + 1 passes for n fragments. Ties in depth go to the smaller id, none is lost: what the original loses at
-/// equal depth, the total order keeps apart. 20 bytes.
+/// [Everitt 2001, nearest first] Each pass offers all fragments in any order; then advance() and begin the next, until
+/// layer() is none. n + 1 passes for n fragments. Ties in depth go to the smaller id, none is lost: what the original
+/// loses at equal depth, the total order keeps apart. 20 bytes.
 struct depth_peeling {
   fragment last;     ///< the layer before this pass's; no_fragment() in the first
   fragment nearest;  ///< of those behind it so far

@@ -32,6 +32,8 @@ template <std::uint32_t Samples>
 struct stochastic_depths {
   static_assert(Samples > 0u, "pelage::stochastic_depths<Samples>: at least one sample");
 
+  static constexpr std::uint32_t cells = Samples;  ///< a pixel, for a cell_storage
+
   std::array<std::uint32_t, Samples> nearest;  ///< key of the nearest depth in each sample; all ones: none
 
   /// A pixel with nothing in it.
@@ -44,7 +46,7 @@ struct stochastic_depths {
   }
 
   /// Adds a fragment; what is_fragment() refuses changes nothing. `alpha`: [0, 1]; 0 takes no sample, 1 takes all.
-  /// `stream`: stochastic_stream() of the pixel. Not concurrent. O(Samples).
+  /// `stream`: stochastic_stream() of the pixel. Not concurrent (see atomic_stochastic_depths). O(Samples).
   constexpr void add(fragment f, float alpha, std::uint32_t stream) noexcept {
     if (!is_fragment(f)) {
       return;
@@ -73,32 +75,36 @@ struct stochastic_depths {
   return mixed_bits(mixed_bits(seed) + pixel);
 }
 
-/// Adds a fragment to a pixel that many threads fill at once: cells [pixel · Samples, (pixel + 1) · Samples) of the
-/// storage, all ones at first. Lock-free; memory orders: core/atomic_cells.hpp.
-template <std::uint32_t Samples, cell_storage Storage>
-void add_to_stochastic_depths(Storage& storage, std::uint32_t pixel, fragment f, float alpha,
-                              std::uint32_t seed) noexcept {
-  PELAGE_ASSERT(pixel < storage.size() / Samples);
+/// A pixel that many threads fill at once: cells [pixel · Depths::cells, (pixel + 1) · Depths::cells) of the storage,
+/// all ones at first, for Depths = stochastic_depths<Samples>.
+namespace atomic_stochastic_depths {
+
+/// stochastic_depths::add() with the stream of the pixel under a seed. Lock-free; memory orders: core/atomic_cells.hpp.
+template <class Depths, cell_storage Storage>
+void add(Storage& storage, std::uint32_t pixel, fragment f, float alpha, std::uint32_t seed) noexcept {
+  PELAGE_ASSERT(pixel < storage.size() / Depths::cells);
   if (!is_fragment(f)) {
     return;
   }
   const std::uint32_t stream = stochastic_stream(seed, pixel);
-  for (std::uint32_t i = 0u; i < Samples; ++i) {
+  for (std::uint32_t i = 0u; i < Depths::cells; ++i) {
     if (takes_sample(f.id, alpha, stream, i)) {
-      lower_cell(storage, pixel * Samples + i, depth_key(f.depth));
+      lower_cell(storage, pixel * Depths::cells + i, depth_key(f.depth));
     }
   }
 }
 
-/// A pixel of such a storage. Not concurrent with add_to_stochastic_depths.
-template <std::uint32_t Samples, cell_storage Storage>
-[[nodiscard]] stochastic_depths<Samples> load_stochastic_depths(const Storage& storage, std::uint32_t pixel) noexcept {
-  stochastic_depths<Samples> depths = stochastic_depths<Samples>::empty();
-  for (std::uint32_t i = 0u; i < Samples; ++i) {
-    depths.nearest[i] = storage.load(pixel * Samples + i, std::memory_order_relaxed);
+/// The pixel. Not concurrent with add().
+template <class Depths, cell_storage Storage>
+[[nodiscard]] Depths load(const Storage& storage, std::uint32_t pixel) noexcept {
+  Depths depths = Depths::empty();
+  for (std::uint32_t i = 0u; i < Depths::cells; ++i) {
+    depths.nearest[i] = storage.load(pixel * Depths::cells + i, std::memory_order_relaxed);
   }
   return depths;
 }
+
+}  // namespace atomic_stochastic_depths
 
 }  // namespace pelage
 #include <pelage/core/exact_end.hpp>

@@ -9,7 +9,7 @@
 
 namespace pelage::inline PELAGE_ABI {
 
-/// What one fibre lets through to what lies behind it, per channel: A C + (1 - C). [Yu12 Eq. 3]
+/// What one fibre lets through to what lies behind it, per channel: A C + (1 - C). [Yu12 §3.1, Eq. 3]
 /// The transmittance of a path is the product over its fibres, in any order.
 ///
 /// `attenuation` A: the part of the light that passes where the fibre is hit, [0, 1]; 1 - opacity for a grey fibre.

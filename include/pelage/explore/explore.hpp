@@ -41,7 +41,7 @@ findings explore_all(const program_factory& make, std::uint64_t most = 0, int pa
 findings run_once(const program_factory& make, strategy& choices, int patience = default_patience);
 
 /// Runs a schedule and prints each step with the accesses to fields behind it and the state after it, then the fault
-/// if there is one. True if not.
+/// if there is one, then how many steps of the schedule were not possible if any. True if there is no fault.
 bool replay(const program_factory& make, std::string_view schedule, std::ostream& out, int patience = default_patience);
 
 /// One line: the numbers, the fault, and its schedule.
@@ -104,6 +104,9 @@ inline bool replay(const program_factory& make, std::string_view schedule, std::
   scripted choices(schedule);
   const ending end = w.run(make, choices, patience);
   out << (end == ending::faulty ? "fault: " + w.fault() : "no fault") << '\n';
+  if (const int steps = choices.passed_over(); steps > 0) {
+    out << "not this program's schedule: " << steps << " of its steps are not possible\n";
+  }
   return end != ending::faulty;
 }
 

@@ -26,7 +26,7 @@ inline action go_on(std::span<const action> ways, int last_thread) {
 }
 
 /// Follows a schedule as to_string() writes it, then goes on as go_on() does. Steps that are not possible, as after
-/// a change of the code, are passed over.
+/// a change of the code, are passed over and counted.
 class scripted : public strategy {
  public:
   explicit scripted(std::string_view schedule) : schedule_(schedule) {}
@@ -41,9 +41,18 @@ class scripted : public strategy {
           found = true;
         }
       }
+      passed_over_ += found ? 0 : 1;
     }
     last_thread_ = chosen.thread;
     return true;
+  }
+
+  /// The steps that were not possible, those after the program's end among them.
+  [[nodiscard]] int passed_over() {
+    for (; at_ < schedule_.size(); ++passed_over_) {
+      next_step();
+    }
+    return passed_over_;
   }
 
  private:
@@ -56,6 +65,7 @@ class scripted : public strategy {
 
   std::string schedule_;
   std::size_t at_ = 0;
+  int passed_over_ = 0;
   int last_thread_ = -1;
 };
 

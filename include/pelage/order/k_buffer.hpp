@@ -10,12 +10,12 @@
 
 namespace pelage::inline PELAGE_ABI {
 
-/// The K fragments of one pixel nearest the eye, by select-and-replace. [Yu12 §5.1]
+/// The K fragments of one pixel nearest the eye, by select-and-replace. [Yu12 §5.1, second pass]
 ///
-/// Keeps the K first of the total order; drops nothing silently, since insert() hands back what falls out. After
-/// sort() its state depends on the set of fragments alone, not on their order of arrival: ties in depth go to the
-/// smaller id. Not concurrent: one thread builds it (atomic structures are in a_buffer.hpp and ordered_list.hpp).
-/// 8 K + 12 bytes. K in [1, 64].
+/// Keeps the K first of the total order; drops nothing silently, since insert() hands back what falls out, where the
+/// paper leaves it out. After sort() its state depends on the set of fragments alone, not on their order of arrival:
+/// ties in depth go to the smaller id. Not concurrent: one thread builds it (atomic_k_buffer.hpp is for many). 8 K + 12
+/// bytes. K in [1, 64].
 template <std::uint32_t K>
 struct k_buffer {
   static_assert(K >= 1u && K <= 64u, "pelage::k_buffer<K>: K must be in [1, 64]");

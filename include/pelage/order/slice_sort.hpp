@@ -9,7 +9,7 @@
 #include <span>
 
 /// Segments in the order of the depth slices that they lie in: linear time where a sort takes n log n. [Kim 2003;
-/// Svoboda §1.3.3] Within a slice they keep the order that they came in.
+/// Svoboda §1.3.3, which draws the farthest slice first] Within a slice they keep the order that they came in.
 ///
 /// A counting sort in three steps, the outer two in parallel over chunks of segments: count() each chunk, place() all
 /// counts, fill() from each chunk. The result depends neither on the number of chunks nor on threads. For slices that

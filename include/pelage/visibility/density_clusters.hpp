@@ -49,7 +49,8 @@ struct density_clusters {
     return none;
   }
 
-  /// Puts a fragment in. `position`: slice_position(relative depth, K), [0, K]. Not concurrent. O(1).
+  /// Puts a fragment in. `position`: slice_position(relative depth, K), [0, K]. Not concurrent (see
+  /// atomic_density_clusters). O(1).
   constexpr void add(float position) noexcept {
     const std::uint32_t bin = layer_at(position, K);
     const std::uint32_t place = detail::step_in_bin(position, bin);
@@ -63,30 +64,38 @@ struct density_clusters {
   [[nodiscard]] float count_before(float position) const noexcept;
 };
 
-/// Puts a fragment into a texel that many threads fill at once: cells [texel · 3 K, (texel + 1) · 3 K) of the storage,
-/// all 0 at first. Lock-free; memory orders: core/atomic_cells.hpp.
-template <std::uint32_t K, cell_storage Storage>
-void add_to_density_clusters(Storage& storage, std::uint32_t texel, float position) noexcept {
-  PELAGE_ASSERT(texel < storage.size() / (3u * K));
-  const std::uint32_t bin = layer_at(position, K);
+/// A texel that many threads fill at once: cells [texel · Map::cells, (texel + 1) · Map::cells) of the storage, all 0
+/// at first, for Map = density_clusters<K>.
+namespace atomic_density_clusters {
+
+/// density_clusters::add(). Lock-free; memory orders: core/atomic_cells.hpp.
+template <class Map, cell_storage Storage>
+void add(Storage& storage, std::uint32_t texel, float position) noexcept {
+  PELAGE_ASSERT(texel < storage.size() / Map::cells);
+  const std::uint32_t bins = Map::cells / 3u;
+  const std::uint32_t bin = layer_at(position, bins);
   const std::uint32_t place = detail::step_in_bin(position, bin);
-  const std::uint32_t first = texel * 3u * K + bin;
+  const std::uint32_t first = texel * Map::cells + bin;
   add_to_cell(storage, first, 1u);
-  add_to_cell(storage, first + K, place);
-  add_to_cell(storage, first + 2u * K, place * place);
+  add_to_cell(storage, first + bins, place);
+  add_to_cell(storage, first + 2u * bins, place * place);
 }
 
-/// A texel of such a storage. Not concurrent with add_to_density_clusters.
-template <std::uint32_t K, cell_storage Storage>
-[[nodiscard]] density_clusters<K> load_density_clusters(const Storage& storage, std::uint32_t texel) noexcept {
-  density_clusters<K> clusters = density_clusters<K>::empty();
-  for (std::uint32_t i = 0u; i < K; ++i) {
-    clusters.count[i] = storage.load(texel * 3u * K + i, std::memory_order_relaxed);
-    clusters.sum[i] = storage.load(texel * 3u * K + K + i, std::memory_order_relaxed);
-    clusters.squares[i] = storage.load(texel * 3u * K + 2u * K + i, std::memory_order_relaxed);
+/// The texel. Not concurrent with add().
+template <class Map, cell_storage Storage>
+[[nodiscard]] Map load(const Storage& storage, std::uint32_t texel) noexcept {
+  const std::uint32_t bins = Map::cells / 3u;
+  const std::uint32_t first = texel * Map::cells;
+  Map clusters = Map::empty();
+  for (std::uint32_t i = 0u; i < bins; ++i) {
+    clusters.count[i] = storage.load(first + i, std::memory_order_relaxed);
+    clusters.sum[i] = storage.load(first + bins + i, std::memory_order_relaxed);
+    clusters.squares[i] = storage.load(first + 2u * bins + i, std::memory_order_relaxed);
   }
   return clusters;
 }
+
+}  // namespace atomic_density_clusters
 
 // ---------------------------------------------------------------------------------------------------------
 

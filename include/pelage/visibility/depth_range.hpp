@@ -19,6 +19,7 @@ namespace pelage::inline PELAGE_ABI {
 }
 
 /// The nearest and the farthest depth of a texel's fragments: where the slices of its maps begin and end. 8 bytes.
+/// [Sintorn & Assarsson 2009, §3.1, which finds them by two depth-tested passes or one that blends]
 ///
 /// Holds keys (see depth_key), so that minimum and maximum are those of integers. Depends on the set of depths alone.
 /// What an opaque object hides is not to be taken in: the caller's depth limit cuts fibres before this.
@@ -70,11 +71,13 @@ struct depth_range {
   }
 };
 
-/// Takes a depth into the range of a texel that many threads extend at once: cells 2 · texel, the complement of the
-/// nearest key, and 2 · texel + 1, both 0 at first. NaN and infinite depths change nothing. Lock-free; memory orders:
-/// core/atomic_cells.hpp.
+/// The range of a texel that many threads extend at once: cells 2 · texel, the complement of the nearest key, and
+/// 2 · texel + 1, both 0 at first.
+namespace atomic_depth_range {
+
+/// depth_range::extend(). Lock-free; memory orders: core/atomic_cells.hpp.
 template <cell_storage Storage>
-void extend_depth_range(Storage& storage, std::uint32_t texel, float depth) noexcept {
+void extend(Storage& storage, std::uint32_t texel, float depth) noexcept {
   PELAGE_ASSERT(texel < storage.size() / 2u);
   if (is_finite_depth(depth)) {
     const std::uint32_t key = depth_key(depth);
@@ -83,12 +86,14 @@ void extend_depth_range(Storage& storage, std::uint32_t texel, float depth) noex
   }
 }
 
-/// The range of a texel. Not concurrent with extend_depth_range.
+/// The range. Not concurrent with extend().
 template <cell_storage Storage>
-[[nodiscard]] depth_range load_depth_range(const Storage& storage, std::uint32_t texel) noexcept {
+[[nodiscard]] depth_range load(const Storage& storage, std::uint32_t texel) noexcept {
   return depth_range{~storage.load(2u * texel, std::memory_order_relaxed),
                      storage.load(2u * texel + 1u, std::memory_order_relaxed)};
 }
+
+}  // namespace atomic_depth_range
 
 }  // namespace pelage
 #include <pelage/core/exact_end.hpp>

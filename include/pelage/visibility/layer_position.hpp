@@ -26,7 +26,8 @@ namespace detail {
 
 }  // namespace detail
 
-/// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: depth_range::relative, [0, 1].
+/// Equal slices over a texel's whole depth range [Kim & Neumann 2001; Sintorn & Assarsson 2009, §3.1, whose ⌊d N⌋ has
+/// no slice for d = 1: layer_at() puts it in the last]. `relative`: depth_range::relative, [0, 1].
 [[nodiscard]] constexpr float slice_position(float relative, std::uint32_t slices) noexcept {
   const float end = static_cast<float>(slices);
   return detail::clamped_position(relative * end, end);

@@ -58,7 +58,7 @@ struct occupancy_map {
   }
 
   /// Puts a fragment in. `position`: slice_position(relative depth, Slices), [0, Slices]. `added`: 1 to count
-  /// fragments. Not concurrent (see add_to_occupancy_map). O(1).
+  /// fragments. Not concurrent (see atomic_occupancy_map). O(1).
   constexpr void add(float position, std::uint32_t added) noexcept {
     const std::uint32_t slice = layer_at(position, Slices);
     const std::uint32_t word = occupied[slice / 32u];
@@ -90,13 +90,21 @@ struct occupancy_map {
   /// itself linearly. [Sintorn & Assarsson 2009, §3.2] Never falls as the position grows; exact at the ends of slabs
   /// (sums from 2²⁴ on by a float's own precision); 0 at 0 and total() at Slices. O(Slices / Slabs / 32 + Slabs).
   [[nodiscard]] constexpr float amount_before(float position) const noexcept;
+
+  /// The same for a fragment that is in the map itself, which must not lie before itself: what lies before its slice,
+  /// for the farthest fragment, too, at whose position amount_before() is total(). 0 in the nearest slice that is set.
+  [[nodiscard]] constexpr float amount_before_fragment(float position) const noexcept {
+    return amount_before(static_cast<float>(layer_at(position, Slices)));
+  }
 };
 
-/// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
-/// the storage, all 0 at first, for M = occupancy_map<Slices, Slabs>; the last holds the ends of the sums
-/// (add_and_mark). Wait-free where the hardware has the changes; memory orders: core/atomic_cells.hpp.
+/// A texel that many threads fill at once: cells [texel · Map::cells, (texel + 1) · Map::cells) of the storage, all 0
+/// at first, for Map = occupancy_map<Slices, Slabs>; the last holds the ends of the sums (add_and_mark).
+namespace atomic_occupancy_map {
+
+/// occupancy_map::add(). Wait-free where the hardware has the changes; memory orders: core/atomic_cells.hpp.
 template <class Map, cell_storage Storage>
-void add_to_occupancy_map(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept {
+void add(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept {
   PELAGE_ASSERT(texel < storage.size() / Map::cells);
   const std::uint32_t slice = layer_at(position, Map::words * 32u);
   const std::uint32_t first = texel * Map::cells;
@@ -105,9 +113,9 @@ void add_to_occupancy_map(Storage& storage, std::uint32_t texel, float position,
   add_and_mark(storage, first + Map::words + slab, added, first + Map::cells - 1u, 1u << slab);
 }
 
-/// A texel of such a storage. Not concurrent with add_to_occupancy_map.
+/// The texel. Not concurrent with add().
 template <class Map, cell_storage Storage>
-[[nodiscard]] Map load_occupancy_map(const Storage& storage, std::uint32_t texel) noexcept {
+[[nodiscard]] Map load(const Storage& storage, std::uint32_t texel) noexcept {
   const std::uint32_t first = texel * Map::cells;
   Map map = Map::empty();
   for (std::uint32_t i = 0u; i < Map::words; ++i) {
@@ -118,6 +126,8 @@ template <class Map, cell_storage Storage>
   }
   return map;
 }
+
+}  // namespace atomic_occupancy_map
 
 // ---------------------------------------------------------------------------------------------------------
 

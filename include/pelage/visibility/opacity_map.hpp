@@ -15,7 +15,7 @@ namespace pelage::inline PELAGE_ABI {
 
 /// One texel of an opacity map: a sum for each layer. With slice_position() it is an opacity shadow map
 /// [Kim & Neumann 2001], with equal_layer_position() or growing_layer_position() a deep opacity map
-/// [Yuksel & Keyser 2008].
+/// [Yuksel & Keyser 2008; Svoboda §1.5.4].
 ///
 /// Keeps what each layer holds, what lies beyond the last in the last; drops where in its layer a fragment lies.
 /// Depends on the set of fragments alone, bit for bit. Sums count fragments, or whatever `added` the caller gives,
@@ -24,6 +24,8 @@ namespace pelage::inline PELAGE_ABI {
 template <std::uint32_t Layers>
 struct opacity_map {
   static_assert(Layers > 0u, "pelage::opacity_map<Layers>: at least one layer");
+
+  static constexpr std::uint32_t cells = Layers;  ///< a texel, for a cell_storage
 
   std::array<std::uint32_t, Layers> amount;  ///< of each layer; after accumulate() of it and all before it
 
@@ -36,7 +38,8 @@ struct opacity_map {
     return map;
   }
 
-  /// Puts a fragment in. `position`: [0, Layers], see layer_position.hpp. Not concurrent (see add_to_opacity_map).
+  /// Puts a fragment in. `position`: [0, Layers], see layer_position.hpp. Not concurrent (see
+  /// atomic_opacity_map).
   constexpr void add(float position, std::uint32_t added) noexcept {
     const std::uint32_t layer = layer_at(position, Layers);
     amount[layer] = add_saturating(amount[layer], added);
@@ -59,15 +62,21 @@ struct opacity_map {
   }
 
   /// The estimate of what lies before a position, from 0 to total(): each layer weighs as much of itself as lies
-  /// before, by one formula without a branch [Svoboda §1.3.3]. Never falls as the position grows; exact at the ends of
-  /// layers (so what lies at the far end of the range counts as before that end), except that sums from 2²⁴ on are
-  /// rounded twice a layer, by up to 2⁻²⁴ of themselves. Where total() stops it goes on beyond. O(Layers).
+  /// before, by one formula without a branch [Svoboda §2.7.3, there with running sums, and §1.5.3]. Never falls as the
+  /// position grows; exact at the ends of layers (so what lies at the far end of the range counts as before that end),
+  /// except that sums from 2²⁴ on are rounded twice a layer, by up to 2⁻²⁴ of themselves. Where total() stops it goes
+  /// on beyond. O(Layers).
   [[nodiscard]] constexpr float amount_before(float position) const noexcept {
     float sum = 0.0f;
     for (std::uint32_t i = 0u; i < Layers; ++i) {
       sum += saturate(position - static_cast<float>(i)) * static_cast<float>(amount[i]);
     }
     return sum;
+  }
+
+  /// The same for a fragment that is in the map itself, which must not lie before itself: what lies before its layer.
+  [[nodiscard]] constexpr float amount_before_fragment(float position) const noexcept {
+    return amount_before(static_cast<float>(layer_at(position, Layers)));
   }
 
   /// Replaces each sum by that of its layer and all before it, for accumulated_before(). Once, when all is in.
@@ -88,23 +97,28 @@ struct opacity_map {
   }
 };
 
-/// Puts a fragment into a texel that many threads fill at once: cells [texel · Layers, (texel + 1) · Layers) of the
-/// storage, all 0 at first. Lock-free; memory orders: core/atomic_cells.hpp.
-template <std::uint32_t Layers, cell_storage Storage>
-void add_to_opacity_map(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept {
-  PELAGE_ASSERT(texel < storage.size() / Layers);
-  add_to_cell(storage, texel * Layers + layer_at(position, Layers), added);
+/// A texel that many threads fill at once: cells [texel · Map::cells, (texel + 1) · Map::cells) of the storage, all 0
+/// at first, for Map = opacity_map<Layers>.
+namespace atomic_opacity_map {
+
+/// opacity_map::add(). Lock-free; memory orders: core/atomic_cells.hpp.
+template <class Map, cell_storage Storage>
+void add(Storage& storage, std::uint32_t texel, float position, std::uint32_t added) noexcept {
+  PELAGE_ASSERT(texel < storage.size() / Map::cells);
+  add_to_cell(storage, texel * Map::cells + layer_at(position, Map::cells), added);
 }
 
-/// A texel of such a storage. Not concurrent with add_to_opacity_map.
-template <std::uint32_t Layers, cell_storage Storage>
-[[nodiscard]] opacity_map<Layers> load_opacity_map(const Storage& storage, std::uint32_t texel) noexcept {
-  opacity_map<Layers> map = opacity_map<Layers>::empty();
-  for (std::uint32_t i = 0u; i < Layers; ++i) {
-    map.amount[i] = storage.load(texel * Layers + i, std::memory_order_relaxed);
+/// The texel. Not concurrent with add().
+template <class Map, cell_storage Storage>
+[[nodiscard]] Map load(const Storage& storage, std::uint32_t texel) noexcept {
+  Map map = Map::empty();
+  for (std::uint32_t i = 0u; i < Map::cells; ++i) {
+    map.amount[i] = storage.load(texel * Map::cells + i, std::memory_order_relaxed);
   }
   return map;
 }
+
+}  // namespace atomic_opacity_map
 
 }  // namespace pelage
 #include <pelage/core/exact_end.hpp>

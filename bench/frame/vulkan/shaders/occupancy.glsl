@@ -20,18 +20,18 @@ const uint texel_cells = 12u;
 
 void extend_range(uint texel, float depth) {
   first_cell = texel_cells * texel + pelage_occupancy_map_cells;
-  pelage_extend_depth_range(0u, depth);
+  pelage_atomic_depth_range_extend(0u, depth);
 }
 
 pelage_depth_range load_range(uint texel) {
   first_cell = texel_cells * texel + pelage_occupancy_map_cells;
-  return pelage_load_depth_range(0u);
+  return pelage_atomic_depth_range_load(0u);
 }
 
 /// Puts a fragment in.
 void occupy(uint texel, float position, uint amount) {
   first_cell = texel_cells * texel;
-  pelage_add_to_occupancy_map(0u, position, amount);
+  pelage_atomic_occupancy_map_add(0u, position, amount);
 }
 
 /// A texel's map and range.
@@ -40,7 +40,7 @@ struct occupancy {
   pelage_depth_range range;
 };
 
-/// As pelage_load_occupancy_map() and pelage_load_depth_range() of a map that is complete, in three loads.
+/// As pelage_atomic_occupancy_map_load() and pelage_atomic_depth_range_load() of a map that is complete, in three loads.
 occupancy load_occupancy(uint texel) {
   const uint first = texel_cells / 4u * texel;
   const uvec4 occupied = quads[first];
@@ -55,15 +55,9 @@ occupancy load_occupancy(uint texel) {
   return o;
 }
 
-/// Where a depth lies in a light's map.
-float light_position(pelage_depth_range range, float depth) {
+/// Where a depth lies in a texel's map.
+float map_position(pelage_depth_range range, float depth) {
   return pelage_slice_position(pelage_depth_range_relative(range, depth), PELAGE_OCCUPANCY_MAP_SLICES);
-}
-
-/// And in the camera's: where its slice begins, so that a fragment does not lie before itself; the farthest alone lies
-/// in the last slice.
-float camera_position(pelage_depth_range range, float depth) {
-  return floor(pelage_slice_position(pelage_depth_range_relative(range, depth), PELAGE_OCCUPANCY_MAP_SLICES - 1u));
 }
 
 #endif

@@ -13,10 +13,11 @@
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
-#define pelage_add_to_stochastic_depths PELAGE_PASTE(PELAGE_PREFIX, _add_to_stochastic_depths)
-#define pelage_load_stochastic_depths PELAGE_PASTE(PELAGE_PREFIX, _load_stochastic_depths)
+#define pelage_atomic_stochastic_depths_add PELAGE_PASTE(PELAGE_PREFIX, _atomic_stochastic_depths_add)
+#define pelage_atomic_stochastic_depths_load PELAGE_PASTE(PELAGE_PREFIX, _atomic_stochastic_depths_load)
 #define pelage_stochastic_depths PELAGE_PASTE(PELAGE_PREFIX, _stochastic_depths)
 #define pelage_stochastic_depths_add PELAGE_PASTE(PELAGE_PREFIX, _stochastic_depths_add)
+#define pelage_stochastic_depths_cells PELAGE_PASTE(PELAGE_PREFIX, _stochastic_depths_cells)
 #define pelage_stochastic_depths_empty PELAGE_PASTE(PELAGE_PREFIX, _stochastic_depths_empty)
 #define pelage_stochastic_depths_transmittance_before \
   PELAGE_PASTE(PELAGE_PREFIX, _stochastic_depths_transmittance_before)
@@ -29,6 +30,9 @@ uint[PELAGE_STOCHASTIC_DEPTHS_SAMPLES] PELAGE_STOCHASTIC_DEPTHS_SAMPLES_has_one_
 #include "../core/fragment.glsl"
 #include "../core/mixed_bits.glsl"
 
+/// A pixel that many threads fill at once: cells [pixel · Depths::cells, (pixel + 1) · Depths::cells) of the storage,
+/// all ones at first, for Depths = pelage_stochastic_depths.
+
 #ifndef PELAGE_COMPOSITE_STOCHASTIC_GLSL_ONCE
 
 /// True if a fragment is opaque in the sample of this number.
@@ -38,6 +42,8 @@ precise bool pelage_takes_sample(uint id, float alpha, uint stream, uint number)
 }
 
 #endif
+
+const uint pelage_stochastic_depths_cells = PELAGE_STOCHASTIC_DEPTHS_SAMPLES;  ///< a pixel, for a cell_storage
 
 /// Stochastic transparency [Enderton et al. 2010]: each of a pixel's samples takes a fragment as opaque with the
 /// probability alpha and keeps the nearest depth that it took, like an ordinary depth buffer. The share of samples in
@@ -61,7 +67,7 @@ pelage_stochastic_depths pelage_stochastic_depths_empty() {
 }
 
 /// Adds a fragment; what pelage_is_fragment() refuses changes nothing. `alpha`: [0, 1]; 0 takes no sample, 1 takes all.
-/// `stream`: pelage_stochastic_stream() of the pixel. Not concurrent. O(Samples).
+/// `stream`: pelage_stochastic_stream() of the pixel. Not concurrent (see atomic_stochastic_depths). O(Samples).
 void pelage_stochastic_depths_add(inout pelage_stochastic_depths self, pelage_fragment f, float alpha, uint stream) {
   if (!pelage_is_fragment(f)) {
     return;
@@ -93,26 +99,26 @@ uint pelage_stochastic_stream(uint seed, uint pixel) {
 
 #endif
 
-/// Adds a fragment to a pixel that many threads fill at once: cells [pixel · Samples, (pixel + 1) · Samples) of the
-/// storage, all ones at first. Lock-free; memory orders: core/atomic_cells.glsl.
-void pelage_add_to_stochastic_depths(uint pixel, pelage_fragment f, float alpha, uint seed) {
+/// pelage_stochastic_depths_add() with the stream of the pixel under a seed. Lock-free; memory orders:
+/// core/atomic_cells.glsl.
+void pelage_atomic_stochastic_depths_add(uint pixel, pelage_fragment f, float alpha, uint seed) {
   if (!pelage_is_fragment(f)) {
     return;
   }
   const uint stream = pelage_stochastic_stream(seed, pixel);
-  for (uint i = 0u; i < PELAGE_STOCHASTIC_DEPTHS_SAMPLES; ++i) {
+  for (uint i = 0u; i < pelage_stochastic_depths_cells; ++i) {
     if (pelage_takes_sample(f.id, alpha, stream, i)) {
-      pelage_lower_cell(pixel * PELAGE_STOCHASTIC_DEPTHS_SAMPLES + i, pelage_depth_key(f.depth));
+      pelage_lower_cell(pixel * pelage_stochastic_depths_cells + i, pelage_depth_key(f.depth));
     }
   }
 }
 
-/// A pixel of such a storage. Not concurrent with pelage_add_to_stochastic_depths.
-pelage_stochastic_depths pelage_load_stochastic_depths(uint pixel) {
+/// The pixel. Not concurrent with pelage_atomic_stochastic_depths_add().
+pelage_stochastic_depths pelage_atomic_stochastic_depths_load(uint pixel) {
   pelage_stochastic_depths depths = pelage_stochastic_depths_empty();
-  for (uint i = 0u; i < PELAGE_STOCHASTIC_DEPTHS_SAMPLES; ++i) {
+  for (uint i = 0u; i < pelage_stochastic_depths_cells; ++i) {
     depths.nearest[i] =
-        pelage_atomic_cells_load(pixel * PELAGE_STOCHASTIC_DEPTHS_SAMPLES + i, pelage_memory_order_relaxed);
+        pelage_atomic_cells_load(pixel * pelage_stochastic_depths_cells + i, pelage_memory_order_relaxed);
   }
   return depths;
 }
@@ -120,10 +126,11 @@ pelage_stochastic_depths pelage_load_stochastic_depths(uint pixel) {
 #define PELAGE_COMPOSITE_STOCHASTIC_GLSL_ONCE
 
 #ifdef PELAGE_PREFIX
-#undef pelage_add_to_stochastic_depths
-#undef pelage_load_stochastic_depths
+#undef pelage_atomic_stochastic_depths_add
+#undef pelage_atomic_stochastic_depths_load
 #undef pelage_stochastic_depths
 #undef pelage_stochastic_depths_add
+#undef pelage_stochastic_depths_cells
 #undef pelage_stochastic_depths_empty
 #undef pelage_stochastic_depths_transmittance_before
 #else

@@ -13,13 +13,13 @@
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
-#define pelage_add_to_density_clusters PELAGE_PASTE(PELAGE_PREFIX, _add_to_density_clusters)
+#define pelage_atomic_density_clusters_add PELAGE_PASTE(PELAGE_PREFIX, _atomic_density_clusters_add)
+#define pelage_atomic_density_clusters_load PELAGE_PASTE(PELAGE_PREFIX, _atomic_density_clusters_load)
 #define pelage_density_clusters PELAGE_PASTE(PELAGE_PREFIX, _density_clusters)
 #define pelage_density_clusters_add PELAGE_PASTE(PELAGE_PREFIX, _density_clusters_add)
 #define pelage_density_clusters_cells PELAGE_PASTE(PELAGE_PREFIX, _density_clusters_cells)
 #define pelage_density_clusters_count_before PELAGE_PASTE(PELAGE_PREFIX, _density_clusters_count_before)
 #define pelage_density_clusters_empty PELAGE_PASTE(PELAGE_PREFIX, _density_clusters_empty)
-#define pelage_load_density_clusters PELAGE_PASTE(PELAGE_PREFIX, _load_density_clusters)
 #else
 uint[PELAGE_DENSITY_CLUSTERS_K] PELAGE_DENSITY_CLUSTERS_K_has_one_value_in_a_shader();
 #endif
@@ -28,6 +28,9 @@ uint[PELAGE_DENSITY_CLUSTERS_K] PELAGE_DENSITY_CLUSTERS_K_has_one_value_in_a_sha
 #include "../core/atomic_cells.glsl"
 #include "../core/math.glsl"
 #include "layer_position.glsl"
+
+/// A texel that many threads fill at once: cells [texel · Map::cells, (texel + 1) · Map::cells) of the storage, all 0
+/// at first, for Map = pelage_density_clusters.
 
 #ifndef PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL_ONCE
 
@@ -63,7 +66,8 @@ pelage_density_clusters pelage_density_clusters_empty() {
   return none;
 }
 
-/// Puts a fragment in. `position`: pelage_slice_position(relative depth, K), [0, K]. Not concurrent. O(1).
+/// Puts a fragment in. `position`: pelage_slice_position(relative depth, K), [0, K]. Not concurrent (see
+/// atomic_density_clusters). O(1).
 void pelage_density_clusters_add(inout pelage_density_clusters self, float position) {
   const uint bin = pelage_layer_at(position, PELAGE_DENSITY_CLUSTERS_K);
   const uint place = pelage_detail_step_in_bin(position, bin);
@@ -76,27 +80,26 @@ void pelage_density_clusters_add(inout pelage_density_clusters self, float posit
 /// grows; exact at the ends of bins. O(K).
 precise float pelage_density_clusters_count_before(pelage_density_clusters self, float position);
 
-/// Puts a fragment into a texel that many threads fill at once: cells [texel · 3 K, (texel + 1) · 3 K) of the storage,
-/// all 0 at first. Lock-free; memory orders: core/atomic_cells.glsl.
-void pelage_add_to_density_clusters(uint texel, float position) {
-  const uint bin = pelage_layer_at(position, PELAGE_DENSITY_CLUSTERS_K);
+/// pelage_density_clusters_add(). Lock-free; memory orders: core/atomic_cells.glsl.
+void pelage_atomic_density_clusters_add(uint texel, float position) {
+  const uint bins = pelage_density_clusters_cells / 3u;
+  const uint bin = pelage_layer_at(position, bins);
   const uint place = pelage_detail_step_in_bin(position, bin);
-  const uint first = texel * 3u * PELAGE_DENSITY_CLUSTERS_K + bin;
+  const uint first = texel * pelage_density_clusters_cells + bin;
   pelage_add_to_cell(first, 1u);
-  pelage_add_to_cell(first + PELAGE_DENSITY_CLUSTERS_K, place);
-  pelage_add_to_cell(first + 2u * PELAGE_DENSITY_CLUSTERS_K, place * place);
+  pelage_add_to_cell(first + bins, place);
+  pelage_add_to_cell(first + 2u * bins, place * place);
 }
 
-/// A texel of such a storage. Not concurrent with pelage_add_to_density_clusters.
-pelage_density_clusters pelage_load_density_clusters(uint texel) {
+/// The texel. Not concurrent with pelage_atomic_density_clusters_add().
+pelage_density_clusters pelage_atomic_density_clusters_load(uint texel) {
+  const uint bins = pelage_density_clusters_cells / 3u;
+  const uint first = texel * pelage_density_clusters_cells;
   pelage_density_clusters clusters = pelage_density_clusters_empty();
-  for (uint i = 0u; i < PELAGE_DENSITY_CLUSTERS_K; ++i) {
-    clusters.count[i] =
-        pelage_atomic_cells_load(texel * 3u * PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
-    clusters.sum[i] = pelage_atomic_cells_load(texel * 3u * PELAGE_DENSITY_CLUSTERS_K + PELAGE_DENSITY_CLUSTERS_K + i,
-                                               pelage_memory_order_relaxed);
-    clusters.squares[i] = pelage_atomic_cells_load(
-        texel * 3u * PELAGE_DENSITY_CLUSTERS_K + 2u * PELAGE_DENSITY_CLUSTERS_K + i, pelage_memory_order_relaxed);
+  for (uint i = 0u; i < bins; ++i) {
+    clusters.count[i] = pelage_atomic_cells_load(first + i, pelage_memory_order_relaxed);
+    clusters.sum[i] = pelage_atomic_cells_load(first + bins + i, pelage_memory_order_relaxed);
+    clusters.squares[i] = pelage_atomic_cells_load(first + 2u * bins + i, pelage_memory_order_relaxed);
   }
   return clusters;
 }
@@ -124,13 +127,13 @@ precise float pelage_density_clusters_count_before(pelage_density_clusters self,
 #define PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL_ONCE
 
 #ifdef PELAGE_PREFIX
-#undef pelage_add_to_density_clusters
+#undef pelage_atomic_density_clusters_add
+#undef pelage_atomic_density_clusters_load
 #undef pelage_density_clusters
 #undef pelage_density_clusters_add
 #undef pelage_density_clusters_cells
 #undef pelage_density_clusters_count_before
 #undef pelage_density_clusters_empty
-#undef pelage_load_density_clusters
 #else
 #define PELAGE_VISIBILITY_DENSITY_CLUSTERS_GLSL
 #endif

@@ -8,6 +8,9 @@
 #include "../core/fragment.glsl"
 #include "../core/math.glsl"
 
+/// The range of a texel that many threads extend at once: cells 2 · texel, the complement of the nearest key, and
+/// 2 · texel + 1, both 0 at first.
+
 /// True for depths that a range takes in.
 bool pelage_is_finite_depth(float depth) {
   return (floatBitsToUint(depth) & 0x7fffffffu) < 0x7f800000u;
@@ -73,10 +76,8 @@ precise float pelage_depth_range_relative(pelage_depth_range self, float depth) 
   return pelage_saturate((0.125 * depth - 0.125 * from) / (0.125 * to - 0.125 * from));
 }
 
-/// Takes a depth into the range of a texel that many threads extend at once: cells 2 · texel, the complement of the
-/// nearest key, and 2 · texel + 1, both 0 at first. NaN and infinite depths change nothing. Lock-free; memory orders:
-/// core/atomic_cells.glsl.
-void pelage_extend_depth_range(uint texel, float depth) {
+/// pelage_depth_range_extend(). Lock-free; memory orders: core/atomic_cells.glsl.
+void pelage_atomic_depth_range_extend(uint texel, float depth) {
   if (pelage_is_finite_depth(depth)) {
     const uint key = pelage_depth_key(depth);
     pelage_raise_cell(2u * texel, ~key);
@@ -84,8 +85,8 @@ void pelage_extend_depth_range(uint texel, float depth) {
   }
 }
 
-/// The range of a texel. Not concurrent with pelage_extend_depth_range.
-pelage_depth_range pelage_load_depth_range(uint texel) {
+/// The range. Not concurrent with pelage_atomic_depth_range_extend().
+pelage_depth_range pelage_atomic_depth_range_load(uint texel) {
   return pelage_depth_range(~pelage_atomic_cells_load(2u * texel, pelage_memory_order_relaxed),
                             pelage_atomic_cells_load(2u * texel + 1u, pelage_memory_order_relaxed));
 }

@@ -25,11 +25,12 @@
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
-#define pelage_add_to_occupancy_map PELAGE_PASTE(PELAGE_PREFIX, _add_to_occupancy_map)
-#define pelage_load_occupancy_map PELAGE_PASTE(PELAGE_PREFIX, _load_occupancy_map)
+#define pelage_atomic_occupancy_map_add PELAGE_PASTE(PELAGE_PREFIX, _atomic_occupancy_map_add)
+#define pelage_atomic_occupancy_map_load PELAGE_PASTE(PELAGE_PREFIX, _atomic_occupancy_map_load)
 #define pelage_occupancy_map PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map)
 #define pelage_occupancy_map_add PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_add)
 #define pelage_occupancy_map_amount_before PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_amount_before)
+#define pelage_occupancy_map_amount_before_fragment PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_amount_before_fragment)
 #define pelage_occupancy_map_cells PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_cells)
 #define pelage_occupancy_map_empty PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_empty)
 #define pelage_occupancy_map_merge PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_merge)
@@ -45,6 +46,9 @@ uint[PELAGE_OCCUPANCY_MAP_SLICES] PELAGE_OCCUPANCY_MAP_SLICES_has_one_value_in_a
 #include "../core/atomic_cells.glsl"
 #include "../core/math.glsl"
 #include "layer_position.glsl"
+
+/// A texel that many threads fill at once: cells [texel · Map::cells, (texel + 1) · Map::cells) of the storage, all 0
+/// at first, for Map = pelage_occupancy_map; the last holds the ends of the sums (pelage_add_and_mark).
 
 #ifndef PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL_ONCE
 
@@ -89,7 +93,7 @@ pelage_occupancy_map pelage_occupancy_map_empty() {
 }
 
 /// Puts a fragment in. `position`: pelage_slice_position(relative depth, Slices), [0, Slices]. `added`: 1 to count
-/// fragments. Not concurrent (see pelage_add_to_occupancy_map). O(1).
+/// fragments. Not concurrent (see atomic_occupancy_map). O(1).
 void pelage_occupancy_map_add(inout pelage_occupancy_map self, float position, uint added) {
   const uint slice = pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES);
   const uint word = self.occupied[slice / 32u];
@@ -125,10 +129,15 @@ uint pelage_occupancy_map_total(pelage_occupancy_map self) {
 /// O(Slices / Slabs / 32 + Slabs).
 precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, float position);
 
-/// Puts a fragment into a texel that many threads fill at once: cells [texel · M::cells, (texel + 1) · M::cells) of
-/// the storage, all 0 at first, for M = pelage_occupancy_map; the last holds the ends of the sums
-/// (pelage_add_and_mark). Wait-free where the hardware has the changes; memory orders: core/atomic_cells.glsl.
-void pelage_add_to_occupancy_map(uint texel, float position, uint added) {
+/// The same for a fragment that is in the map itself, which must not lie before itself: what lies before its slice,
+/// for the farthest fragment, too, at whose position pelage_occupancy_map_amount_before() is
+/// pelage_occupancy_map_total(). 0 in the nearest slice that is set.
+float pelage_occupancy_map_amount_before_fragment(pelage_occupancy_map self, float position) {
+  return pelage_occupancy_map_amount_before(self, float(pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES)));
+}
+
+/// pelage_occupancy_map_add(). Wait-free where the hardware has the changes; memory orders: core/atomic_cells.glsl.
+void pelage_atomic_occupancy_map_add(uint texel, float position, uint added) {
   const uint slice = pelage_layer_at(position, pelage_occupancy_map_words * 32u);
   const uint first = texel * pelage_occupancy_map_cells;
   pelage_set_bits(first + slice / 32u, 1u << (slice % 32u));
@@ -137,8 +146,8 @@ void pelage_add_to_occupancy_map(uint texel, float position, uint added) {
                       1u << slab);
 }
 
-/// A texel of such a storage. Not concurrent with pelage_add_to_occupancy_map.
-pelage_occupancy_map pelage_load_occupancy_map(uint texel) {
+/// The texel. Not concurrent with pelage_atomic_occupancy_map_add().
+pelage_occupancy_map pelage_atomic_occupancy_map_load(uint texel) {
   const uint first = texel * pelage_occupancy_map_cells;
   pelage_occupancy_map map = pelage_occupancy_map_empty();
   for (uint i = 0u; i < pelage_occupancy_map_words; ++i) {
@@ -184,11 +193,12 @@ precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, floa
 #define PELAGE_VISIBILITY_OCCUPANCY_MAP_GLSL_ONCE
 
 #ifdef PELAGE_PREFIX
-#undef pelage_add_to_occupancy_map
-#undef pelage_load_occupancy_map
+#undef pelage_atomic_occupancy_map_add
+#undef pelage_atomic_occupancy_map_load
 #undef pelage_occupancy_map
 #undef pelage_occupancy_map_add
 #undef pelage_occupancy_map_amount_before
+#undef pelage_occupancy_map_amount_before_fragment
 #undef pelage_occupancy_map_cells
 #undef pelage_occupancy_map_empty
 #undef pelage_occupancy_map_merge

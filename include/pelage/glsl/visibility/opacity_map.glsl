@@ -13,13 +13,15 @@
 #ifdef PELAGE_PREFIX
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
-#define pelage_add_to_opacity_map PELAGE_PASTE(PELAGE_PREFIX, _add_to_opacity_map)
-#define pelage_load_opacity_map PELAGE_PASTE(PELAGE_PREFIX, _load_opacity_map)
+#define pelage_atomic_opacity_map_add PELAGE_PASTE(PELAGE_PREFIX, _atomic_opacity_map_add)
+#define pelage_atomic_opacity_map_load PELAGE_PASTE(PELAGE_PREFIX, _atomic_opacity_map_load)
 #define pelage_opacity_map PELAGE_PASTE(PELAGE_PREFIX, _opacity_map)
 #define pelage_opacity_map_accumulate PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_accumulate)
 #define pelage_opacity_map_accumulated_before PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_accumulated_before)
 #define pelage_opacity_map_add PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_add)
 #define pelage_opacity_map_amount_before PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_amount_before)
+#define pelage_opacity_map_amount_before_fragment PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_amount_before_fragment)
+#define pelage_opacity_map_cells PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_cells)
 #define pelage_opacity_map_empty PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_empty)
 #define pelage_opacity_map_merge PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_merge)
 #define pelage_opacity_map_total PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_total)
@@ -31,6 +33,11 @@ uint[PELAGE_OPACITY_MAP_LAYERS] PELAGE_OPACITY_MAP_LAYERS_has_one_value_in_a_sha
 #include "../core/atomic_cells.glsl"
 #include "../core/math.glsl"
 #include "layer_position.glsl"
+
+/// A texel that many threads fill at once: cells [texel · Map::cells, (texel + 1) · Map::cells) of the storage, all 0
+/// at first, for Map = pelage_opacity_map.
+
+const uint pelage_opacity_map_cells = PELAGE_OPACITY_MAP_LAYERS;  ///< a texel, for a cell_storage
 
 /// One texel of an opacity map: a sum for each layer. With pelage_slice_position() it is an opacity shadow map
 /// [Kim & Neumann 2001], with pelage_equal_layer_position() or pelage_growing_layer_position() a deep opacity map
@@ -55,7 +62,7 @@ pelage_opacity_map pelage_opacity_map_empty() {
 }
 
 /// Puts a fragment in. `position`: [0, Layers], see layer_position.glsl. Not concurrent (see
-/// pelage_add_to_opacity_map).
+/// atomic_opacity_map).
 void pelage_opacity_map_add(inout pelage_opacity_map self, float position, uint added) {
   const uint layer = pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS);
   self.amount[layer] = pelage_add_saturating(self.amount[layer], added);
@@ -90,6 +97,11 @@ precise float pelage_opacity_map_amount_before(pelage_opacity_map self, float po
   return sum;
 }
 
+/// The same for a fragment that is in the map itself, which must not lie before itself: what lies before its layer.
+float pelage_opacity_map_amount_before_fragment(pelage_opacity_map self, float position) {
+  return pelage_opacity_map_amount_before(self, float(pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS)));
+}
+
 /// Replaces each sum by that of its layer and all before it, for pelage_opacity_map_accumulated_before(). Once, when
 /// all is in.
 void pelage_opacity_map_accumulate(inout pelage_opacity_map self) {
@@ -109,29 +121,30 @@ precise float pelage_opacity_map_accumulated_before(pelage_opacity_map self, flo
   return sum < most ? sum : most;
 }
 
-/// Puts a fragment into a texel that many threads fill at once: cells [texel · Layers, (texel + 1) · Layers) of the
-/// storage, all 0 at first. Lock-free; memory orders: core/atomic_cells.glsl.
-void pelage_add_to_opacity_map(uint texel, float position, uint added) {
-  pelage_add_to_cell(texel * PELAGE_OPACITY_MAP_LAYERS + pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS), added);
+/// pelage_opacity_map_add(). Lock-free; memory orders: core/atomic_cells.glsl.
+void pelage_atomic_opacity_map_add(uint texel, float position, uint added) {
+  pelage_add_to_cell(texel * pelage_opacity_map_cells + pelage_layer_at(position, pelage_opacity_map_cells), added);
 }
 
-/// A texel of such a storage. Not concurrent with pelage_add_to_opacity_map.
-pelage_opacity_map pelage_load_opacity_map(uint texel) {
+/// The texel. Not concurrent with pelage_atomic_opacity_map_add().
+pelage_opacity_map pelage_atomic_opacity_map_load(uint texel) {
   pelage_opacity_map map = pelage_opacity_map_empty();
-  for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
-    map.amount[i] = pelage_atomic_cells_load(texel * PELAGE_OPACITY_MAP_LAYERS + i, pelage_memory_order_relaxed);
+  for (uint i = 0u; i < pelage_opacity_map_cells; ++i) {
+    map.amount[i] = pelage_atomic_cells_load(texel * pelage_opacity_map_cells + i, pelage_memory_order_relaxed);
   }
   return map;
 }
 
 #ifdef PELAGE_PREFIX
-#undef pelage_add_to_opacity_map
-#undef pelage_load_opacity_map
+#undef pelage_atomic_opacity_map_add
+#undef pelage_atomic_opacity_map_load
 #undef pelage_opacity_map
 #undef pelage_opacity_map_accumulate
 #undef pelage_opacity_map_accumulated_before
 #undef pelage_opacity_map_add
 #undef pelage_opacity_map_amount_before
+#undef pelage_opacity_map_amount_before_fragment
+#undef pelage_opacity_map_cells
 #undef pelage_opacity_map_empty
 #undef pelage_opacity_map_merge
 #undef pelage_opacity_map_total
