@@ -71,6 +71,7 @@
 #include <pelage/visibility/lookup_jitter.hpp>
 #include <pelage/visibility/occupancy_map.hpp>
 #include <pelage/visibility/opacity_map.hpp>
+#include <pelage/visibility/receiver.hpp>
 
 namespace pelage {
 
@@ -124,6 +125,9 @@ template float disc_strip_share(float, float, float) noexcept;
 template float cap_share(float) noexcept;
 template float owned_by_segment(const strand_joint<float>&, const strand_joint<float>&, const glm::vec2&) noexcept;
 template float past_joint(const strand_joint<float>&, const glm::vec2&) noexcept;
+template glm::vec2 line_depth_slope(const vec3&, const vec3&, float) noexcept;
+template glm::vec2 plane_depth_slope(const vec3&, const vec3&, float) noexcept;
+template glm::vec2 detail::limited_slope(float, float, float, float) noexcept;
 template float diagonal_ratio(const glm::vec2&) noexcept;
 template float line_width_share(const glm::vec2&, float, float) noexcept;
 template ray_cone<float> perspective_cone(float, int) noexcept;

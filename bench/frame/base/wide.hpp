@@ -4,6 +4,7 @@
 #include <pelage/core/elementary.hpp>
 #include <pelage/core/lanes.hpp>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <bit>
@@ -14,6 +15,7 @@ namespace pelage::frame {
 
 inline constexpr int wide_width = lane_width();
 using wide = lanes<wide_width>;
+using wide2 = glm::vec<2, wide>;
 using wide3 = lane_vector<wide_width>;
 
 /// The same vector in all lanes; of a plain float's, itself.

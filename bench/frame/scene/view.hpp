@@ -40,7 +40,11 @@ struct view {
 
   template <class Real>
   [[nodiscard]] glm::vec<3, Real> to_view(const glm::vec<3, Real>& world) const {
-    const glm::vec<3, Real> d = world - filled<Real>(eye);
+    return direction_to_view(world - filled<Real>(eye));
+  }
+
+  template <class Real>
+  [[nodiscard]] glm::vec<3, Real> direction_to_view(const glm::vec<3, Real>& d) const {
     const auto row = [&](int i) {
       return Real(rotation[0][i]) * d.x + Real(rotation[1][i]) * d.y + Real(rotation[2][i]) * d.z;
     };
@@ -60,6 +64,12 @@ struct view {
   [[nodiscard]] glm::vec<2, Real> to_pixel(const glm::vec<3, Real>& p) const {
     const Real s = perspective ? Real(scale) / greatest(Real(0.0F) - p.z, Real(near_plane)) : Real(scale);
     return {Real(0.5F * static_cast<float>(width)) + s * p.x, Real(0.5F * static_cast<float>(height)) - s * p.y};
+  }
+
+  /// A pixel's width at a point in view space, length units.
+  template <class Real>
+  [[nodiscard]] Real pixel_at(const glm::vec<3, Real>& p) const {
+    return perspective ? greatest(Real(0.0F) - p.z, Real(near_plane)) / Real(scale) : Real(1.0F / scale);
   }
 
   /// The ray through pixel coordinates, in view space.

@@ -71,7 +71,7 @@ void scene::fibre_radiance(std::span<const lit_place> asked, std::span<glm::vec3
 void scene::light(const lit& l, std::span<places> all) const {
   if (l.shadow) {
     for (places& p : all) {
-      p.spots = l.shadow->find(p.position, wide(2.0F) * p.radius + l.shadow->texel_at(p.position), p.set);
+      p.spots = l.shadow->find_on_fibres(p.position, p.fibre.tangent, wide(2.0F) * p.radius, p.set);
       l.shadow->prefetch(p.spots, 0);
     }
     for (const places& p : all)
@@ -109,11 +109,8 @@ wide3 scene::solid_radiance(const wide3& position, const solid_hit<wide>& hit, s
     const wide facing = dot_product(hit.normal, in.to_light);
     wide passed(1.0F);
     if (l.shadow) {
-      const wide texel = l.shadow->texel_at(position);
-      const wide3 lifted = position + wide(2.0F) * texel * hit.normal;
       const std::uint32_t lit_lanes = set & bits(facing > zero);
-      passed =
-          l.shadow->passed_to(l.shadow->find(lifted, texel / greatest(facing, wide(0.2F)), lit_lanes)).transmittance;
+      passed = l.shadow->passed_to(l.shadow->find_on_surfaces(position, hit.normal, facing, lit_lanes)).transmittance;
     }
     sum = sum + select(facing > zero, passed * facing * in.colour, wide3(zero));
   }

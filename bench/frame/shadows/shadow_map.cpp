@@ -3,6 +3,7 @@
 #include "frame/shadows/shadow_map.hpp"
 
 #include <pelage/core/math.hpp>
+#include <pelage/visibility/receiver.hpp>
 
 #include <limits>
 
@@ -10,6 +11,12 @@ namespace pelage::frame {
 namespace {
 
 constexpr float unit = 1.0F / 1048576.0F;  ///< of fixed-point sums, octaves or fibres
+
+constexpr float steepest = 64.0F;  ///< of receivers: up to there pixel coordinates give depths within 0.02 texels
+
+/// Of surfaces, in texels over facing: so far their shading normals' planes may lie from them, which seams round.
+constexpr float surface_bias = 0.5F;
+constexpr float least_facing = 0.2F;  ///< a shading normal may graze where the surface does not
 
 }  // namespace
 
@@ -21,11 +28,33 @@ shadow_map::shadow_map(const raster& from, const solids& opaque, bool translucen
       fibres_per_octave_(limit_.size(), 0.0F) {
 }
 
-shadow_map::spots shadow_map::find(const wide3& world, wide bias, std::uint32_t set) const {
+wide3 shadow_map::ray_to(const wide3& seen) const {
   const wide zero(0.0F);
-  const wide3 p = light_.to_view(world);
-  const wide depth = zero - p.z - bias;
-  const glm::vec<2, wide> pixel = light_.to_pixel(p);
+  const wide ahead(-1.0F);
+  if (!light_.perspective) return {zero, zero, ahead};
+  const wide depth = greatest(zero - seen.z, wide(light_.near_plane));
+  return {seen.x / depth, seen.y / depth, ahead};
+}
+
+shadow_map::spots shadow_map::find_on_fibres(const wide3& world, const wide3& tangent, wide bias,
+                                             std::uint32_t set) const {
+  const wide3 seen = light_.to_view(world);
+  const wide2 slope = line_depth_slope(ray_to(seen), light_.direction_to_view(tangent), wide(steepest));
+  return find(seen, slope, bias, set);
+}
+
+shadow_map::spots shadow_map::find_on_surfaces(const wide3& world, const wide3& normal, wide facing,
+                                               std::uint32_t set) const {
+  const wide3 seen = light_.to_view(world);
+  const wide2 slope = plane_depth_slope(ray_to(seen), light_.direction_to_view(normal), wide(steepest));
+  const wide bias = wide(surface_bias) * light_.pixel_at(seen) / greatest(facing, wide(least_facing));
+  return find(seen, slope, bias, set);
+}
+
+shadow_map::spots shadow_map::find(const wide3& seen, const wide2& slope, wide bias, std::uint32_t set) const {
+  const wide zero(0.0F);
+  const wide depth = zero - seen.z - bias;
+  const wide2 pixel = light_.to_pixel(seen);
   const wide width(static_cast<float>(light_.width));
   const wide height(static_cast<float>(light_.height));
   // The borders belong to the map. A NaN is nowhere.
@@ -41,7 +70,11 @@ shadow_map::spots shadow_map::find(const wide3& world, wide bias, std::uint32_t 
   const wide down = between(pixel.y, height);
   const wide left = least(whole_part(across), width - wide(2.0F));
   const wide above = least(whole_part(down), height - wide(2.0F));
-  spots found{{}, inside, across - left, down - above, depth};
+  const wide half(0.5F);
+  const wide growth_across = slope.x * light_.pixel_at(seen);
+  const wide growth_down = zero - slope.y * light_.pixel_at(seen);
+  const wide there = depth + (left + half - pixel.x) * growth_across + (above + half - pixel.y) * growth_down;
+  spots found{{}, inside, across - left, down - above, there, growth_across, growth_down};
   for_each_lane(inside, [&](int k) {
     found.first[static_cast<std::size_t>(k)] =
         static_cast<std::uint32_t>(index(static_cast<int>(left.lane[k]), static_cast<int>(above.lane[k])));
@@ -62,14 +95,14 @@ void shadow_map::prefetch(const spots& at, int step) const {
   });
 }
 
-wide3 shadow_map::passed_in(const spots& at, std::size_t offset) const {
+wide3 shadow_map::passed_in(const spots& at, std::size_t offset, wide depth) const {
   alignas(sizeof(wide)) float octaves[wide_width] = {};
   alignas(sizeof(wide)) float per_octave[wide_width] = {};
   alignas(sizeof(wide)) float open[wide_width] = {};
   for_each_lane(at.inside, [&](int k) {
     const std::size_t texel = at.first[static_cast<std::size_t>(k)] + offset;
-    const bool hidden = at.depth.lane[k] > limit_[texel];
-    octaves[k] = optical_before(texel, hidden ? std::numeric_limits<float>::infinity() : at.depth.lane[k]);
+    const bool hidden = depth.lane[k] > limit_[texel];
+    octaves[k] = optical_before(texel, hidden ? std::numeric_limits<float>::infinity() : depth.lane[k]);
     per_octave[k] = fibres_per_octave_[texel];
     open[k] = hidden ? 0.0F : 1.0F;
   });
@@ -81,15 +114,17 @@ wide3 shadow_map::passed_in(const spots& at, std::size_t offset) const {
 passage_of<wide> shadow_map::passed_to(const spots& at) const {
   const auto below = static_cast<std::size_t>(light_.width);
   const auto mix = [](const wide3& a, const wide3& b, wide share) { return a * (wide(1.0F) - share) + b * share; };
-  const wide3 top = mix(passed_in(at, 0), passed_in(at, 1), at.across);
-  const wide3 bottom = mix(passed_in(at, below), passed_in(at, below + 1), at.across);
+  const wide lower = at.depth + at.growth_down;
+  const wide3 top = mix(passed_in(at, 0, at.depth), passed_in(at, 1, at.depth + at.growth_across), at.across);
+  const wide3 bottom = mix(passed_in(at, below, lower), passed_in(at, below + 1, lower + at.growth_across), at.across);
   const wide3 mean = mix(top, bottom, at.down);
   const auto inside = mask_of(at.inside);
   return {select(inside, mean.x, wide(1.0F)), select(inside, mean.y, wide(0.0F)), select(inside, mean.z, wide(1.0F))};
 }
 
 passage shadow_map::passed_to(const glm::vec3& world, float bias) const {
-  const passage_of<wide> passed = passed_to(find(filled<wide>(world), wide(bias), 1U));
+  const passage_of<wide> passed =
+      passed_to(find(light_.to_view(filled<wide>(world)), wide2(wide(0.0F)), wide(bias), 1U));
   return {passed.transmittance.lane[0], passed.fibres.lane[0], passed.open.lane[0]};
 }
 

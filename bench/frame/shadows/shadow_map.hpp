@@ -46,11 +46,16 @@ class shadow_map {
     std::array<std::uint32_t, wide_width> first;  ///< the upper left of four texels
     std::uint32_t inside;                         ///< the bits of the positions that lie in the map
     wide across, down;                            ///< where between the texels' centres, [0, 1]
-    wide depth;
+    wide depth;                                   ///< of the receiver in the upper left texel,
+    wide growth_across, growth_down;              ///< and how much deeper it lies in the next ones
   };
 
-  /// Of the positions whose bits are set.
-  [[nodiscard]] spots find(const wide3& world, wide bias, std::uint32_t set) const;
+  /// Of the positions whose bits are set. They lie on fibres along `tangent`: in each texel only what lies `bias`
+  /// before the fibre's own depth there counts, so that it does not shadow itself.
+  [[nodiscard]] spots find_on_fibres(const wide3& world, const wide3& tangent, wide bias, std::uint32_t set) const;
+
+  /// The same on surfaces with a unit normal, that of a tangent plane. `facing`: its cosine to the light, (0, 1].
+  [[nodiscard]] spots find_on_surfaces(const wide3& world, const wide3& normal, wide facing, std::uint32_t set) const;
 
   /// Asks the processor to load what passed_to() will read. What lies behind a pointer needs two steps: call it for
   /// many positions with step 0, then for all of them with step 1.
@@ -64,10 +69,6 @@ class shadow_map {
 
   /// Memory of the whole map.
   [[nodiscard]] std::uint64_t bytes() const;
-
-  /// A texel's width at a world position, length units.
-  template <class Real>
-  [[nodiscard]] Real texel_at(const glm::vec<3, Real>& world) const;
 
  protected:
   /// Optical depth of the fibres before a view depth, units of 2⁻²⁰ octaves, [0, 2³²]. Never falls as depth grows.
@@ -93,8 +94,13 @@ class shadow_map {
   }
 
  private:
+  /// Positions in the light's view, each with the slope of what it lies on.
+  [[nodiscard]] spots find(const wide3& seen, const wide2& slope, wide bias, std::uint32_t set) const;
+
   /// What light passes to each spot in one of its four texels: transmittance, fibres, open.
-  [[nodiscard]] wide3 passed_in(const spots& at, std::size_t offset) const;
+  [[nodiscard]] wide3 passed_in(const spots& at, std::size_t offset, wide depth) const;
+
+  [[nodiscard]] wide3 ray_to(const wide3& seen) const;
 
   const strands& fibres_;
   view light_;
@@ -102,13 +108,5 @@ class shadow_map {
   std::vector<float> limit_;
   std::vector<float> fibres_per_octave_;
 };
-
-// ---------------------------------------------------------------------------------------------------------
-
-template <class Real>
-Real shadow_map::texel_at(const glm::vec<3, Real>& world) const {
-  const Real depth = Real(0.0F) - light_.to_view(world).z;
-  return Real(2.0F) * (Real(light_.cone.base) + Real(light_.cone.slope) * greatest(depth, Real(0.0F)));
-}
 
 }  // namespace pelage::frame

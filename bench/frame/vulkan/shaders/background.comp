@@ -18,9 +18,7 @@ vec3 solid_radiance(vec3 position, vec3 normal) {
     const arrival light = light_at(l, position);
     const float facing = dot(normal, light.to_light);
     if (facing > 0.0) {
-      const float texel = scene.shadows ? texel_at(l, position) : 0.0;
-      const vec3 lifted = position + 2.0 * texel * normal;
-      const float passed = scene.shadows ? transmittance_to(l, lifted, texel / max(facing, 0.2)) : 1.0;
+      const float passed = scene.shadows ? transmittance_to_surface(l, position, normal, facing) : 1.0;
       sum += passed * facing * light.colour;
     }
   }

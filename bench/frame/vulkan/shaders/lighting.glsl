@@ -4,6 +4,7 @@
 // have it.
 #ifndef PELAGE_FRAME_LIGHTING_GLSL
 #define PELAGE_FRAME_LIGHTING_GLSL
+#include "pelage/glsl/visibility/receiver.glsl"
 #include "projection.glsl"
 #ifdef OCCUPANCY
 #include "occupancy_shadow.glsl"
@@ -32,14 +33,19 @@ arrival light_at(uint l, vec3 at) {
   return arrival(to_light, strength * light.colour);
 }
 
-/// A texel's width at a world position.
-float texel_at(uint l, vec3 world) {
-  return 2.0 * pelage_radius_at(cone_of(l), -to_view(l, world).z);
+// As bench/frame/shadows/shadow_map.cpp has them.
+const float steepest = 64.0;
+const float surface_bias = 0.5;
+const float least_facing = 0.2;
+
+/// The way of a light through a position in its view.
+vec3 ray_to(uint l, vec3 p) {
+  return scene.views[l].perspective ? vec3(p.xy / max(-p.z, scene.views[l].near_plane), -1.0) : vec3(0.0, 0.0, -1.0);
 }
 
-/// The share of a light that reaches a world position: four texels, weighted bilinearly.
-float transmittance_to(uint l, vec3 world, float bias) {
-  const vec3 p = to_view(l, world);
+/// The share of a light that reaches a position in its view: four texels, weighted bilinearly, each up to the depth of
+/// a receiver with this slope there.
+float transmittance_to(uint l, vec3 p, vec2 slope, float bias) {
   const float depth = -p.z - bias;
   if (depth <= scene.views[l].near_plane) {
     return 1.0;
@@ -53,10 +59,25 @@ float transmittance_to(uint l, vec3 world, float bias) {
   }
   const uint first = scene.views[l].first_pixel + uint(corner.y) * uint(size.x) + uint(corner.x);
   const uint below = first + uint(size.x);
-  const vec4 passed = transmittance_in(first, below, depth);
+  const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
+  const float there = depth - dot(weight, growth);
+  const vec4 passed = transmittance_in(first, below, there + vec4(0.0, growth.x, growth.y, growth.x + growth.y));
   const float top = mix(passed.x, passed.y, weight.x);
   const float bottom = mix(passed.z, passed.w, weight.x);
   return mix(top, bottom, weight.y);
+}
+
+float transmittance_to_fibre(uint l, vec3 world, vec3 tangent, float radius) {
+  const vec3 p = to_view(l, world);
+  const vec2 slope = pelage_line_depth_slope(ray_to(l, p), direction_to_view(l, tangent), steepest);
+  return transmittance_to(l, p, slope, 2.0 * radius);
+}
+
+/// `facing`: cosine of the light to the normal, (0, 1].
+float transmittance_to_surface(uint l, vec3 world, vec3 normal, float facing) {
+  const vec3 p = to_view(l, world);
+  const vec2 slope = pelage_plane_depth_slope(ray_to(l, p), direction_to_view(l, normal), steepest);
+  return transmittance_to(l, p, slope, surface_bias * pixel_at(l, p) / max(facing, least_facing));
 }
 
 #endif

@@ -29,29 +29,30 @@ float transmittance_behind(texel t, uint before, float depth) {
   return pelage_transmittance_of(optical);
 }
 
-/// What a square of four texels lets through, by rows. All four are searched at once: a search waits for each of its
-/// loads, and so four wait together. Behind a texel's last entry there is nothing to search.
-vec4 transmittance_in(uint pixel, uint below, float depth) {
+/// What a square of four texels lets through, by rows, each up to its depth. All four are searched at once: a search
+/// waits for each of its loads, and so four wait together. Behind a texel's last entry there is nothing to search.
+vec4 transmittance_in(uint pixel, uint below, vec4 depth) {
   texel square[4] = texel[4](texel_in(pixel), texel_in(pixel + 1u), texel_in(below), texel_in(below + 1u));
   uvec4 before;
   uint most = 0u;
   for (int t = 0; t < 4; ++t) {
-    const bool is_search = square[t].held > 0u && !(square[t].last_depth < depth);
+    const bool is_search = square[t].held > 0u && !(square[t].last_depth < depth[t]);
     before[t] = is_search ? 0u : square[t].held;
     most = max(most, is_search ? square[t].held : 0u);
   }
   for (uint stride = most > 0u ? 1u << uint(findMSB(most)) : 0u; stride > 0u; stride /= 2u) {
     float probe[4];
     for (int t = 0; t < 4; ++t) {
-      probe[t] = before[t] + stride <= square[t].held ? entry_depth(square[t].first + before[t] + stride - 1u) : depth;
+      const uint next = before[t] + stride;
+      probe[t] = next <= square[t].held ? entry_depth(square[t].first + next - 1u) : depth[t];
     }
     for (int t = 0; t < 4; ++t) {
-      before[t] += probe[t] < depth ? stride : 0u;
+      before[t] += probe[t] < depth[t] ? stride : 0u;
     }
   }
   vec4 passed;
   for (int t = 0; t < 4; ++t) {
-    passed[t] = transmittance_behind(square[t], before[t], depth);
+    passed[t] = transmittance_behind(square[t], before[t], depth[t]);
   }
   return passed;
 }

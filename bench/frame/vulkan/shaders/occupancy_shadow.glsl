@@ -15,10 +15,10 @@ float transmittance_at(uint texel, float depth) {
   return pelage_transmittance_of(before);
 }
 
-/// Of a square of four texels, by rows.
-vec4 transmittance_in(uint pixel, uint below, float depth) {
-  return vec4(transmittance_at(pixel, depth), transmittance_at(pixel + 1u, depth), transmittance_at(below, depth),
-              transmittance_at(below + 1u, depth));
+/// Of a square of four texels, by rows, each up to its depth.
+vec4 transmittance_in(uint pixel, uint below, vec4 depth) {
+  return vec4(transmittance_at(pixel, depth.x), transmittance_at(pixel + 1u, depth.y),
+              transmittance_at(below, depth.z), transmittance_at(below + 1u, depth.w));
 }
 
 #endif

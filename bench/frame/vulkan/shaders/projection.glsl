@@ -16,10 +16,13 @@ precise float steady_dot(vec3 a, vec3 b) {
   return fma(a.z, b.z, fma(a.y, b.y, a.x * b.x));
 }
 
-precise vec3 to_view(uint v, vec3 world) {
-  const vec3 d = world - scene.views[v].eye;
+precise vec3 direction_to_view(uint v, vec3 d) {
   return vec3(steady_dot(scene.views[v].right, d), steady_dot(scene.views[v].up, d),
               steady_dot(scene.views[v].back, d));
+}
+
+precise vec3 to_view(uint v, vec3 world) {
+  return direction_to_view(v, world - scene.views[v].eye);
 }
 
 vec3 direction_to_world(uint v, vec3 d) {
@@ -32,6 +35,11 @@ precise vec2 to_pixel(uint v, vec3 p) {
   const float s = scene.views[v].perspective ? scene.views[v].scale / depth : scene.views[v].scale;
   const vec2 middle = 0.5 * vec2(scene.views[v].size);
   return vec2(fma(s, p.x, middle.x), fma(-s, p.y, middle.y));
+}
+
+/// A pixel's width at a point in view space.
+float pixel_at(uint v, vec3 p) {
+  return (scene.views[v].perspective ? max(-p.z, scene.views[v].near_plane) : 1.0) / scene.views[v].scale;
 }
 
 precise view_ray ray_through(uint v, vec2 pixel) {

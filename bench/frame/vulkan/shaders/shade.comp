@@ -21,8 +21,7 @@ void shade(uint i) {
   vec3 sum = sky_share * scene.sky * colour;
   for (uint l = 0u; l < scene.light_count; ++l) {
     const arrival light = light_at(l, position);
-    const float bias = 2.0 * points[i].w + texel_at(l, position);
-    const float passed = scene.shadows ? transmittance_to(l, position, bias) : 1.0;
+    const float passed = scene.shadows ? transmittance_to_fibre(l, position, tangent, points[i].w) : 1.0;
     const pelage_kajiya_kay_lobes lobes = pelage_kajiya_kay(tangent, light.to_light, to_eye, exponent);
     sum += passed * light.colour * (diffuse_weight * lobes.diffuse * colour + vec3(specular_weight * lobes.specular));
   }
