@@ -3,7 +3,8 @@
 #include <pelage/bsdf/azimuthal.hpp>
 #include <pelage/bsdf/hair_parameters.hpp>
 
-#include <doctest/doctest.h>
+#include <property.hpp>
+#include <sweep.hpp>
 
 #include <cmath>
 #include <limits>
@@ -22,6 +23,22 @@ TEST_CASE("N integrates to 1 on the circle over the whole range of roughness") {
     CAPTURE(beta);
     CHECK(2.0 * sum * std::numbers::pi / count == doctest::Approx(1.0).epsilon(1e-5));
   }
+}
+
+TEST_CASE("float's N has a relative error below 4e-7 (1 + x/s) for every scale") {
+  test::worst_case worst;
+  for (int i = 0; i < 200'000; ++i) {
+    const auto [u, v] = test::even_point<2>(i);
+    const auto lobe = make_azimuthal_lobe(static_cast<float>(test::on_log_scale(u, 1e-5, i % 2 == 0 ? 1e38 : 10.0)));
+    const auto x = static_cast<float>(i % 3 == 0 ? test::on_log_scale(v, 1e-9, 1.0) : std::numbers::pi * v);
+    const long double s = lobe.scale;
+    const long double e = std::exp(-x / s);
+    const long double exact = e / ((1 + e) * (1 + e) * s * std::tanh(std::numbers::pi_v<long double> / (2 * s)));
+    if (x > 87 * s || exact < 1.2e-38L) continue;
+    const auto error = static_cast<double>(std::abs(evaluate_azimuthal(lobe, x) / exact - 1));
+    worst.see(error / static_cast<double>(1 + x / s), {lobe.scale, x});
+  }
+  CHECK_MESSAGE(worst.error < 4e-7, worst);
 }
 
 TEST_CASE("a wide lobe is nearly uniform and a narrow one a logistic") {

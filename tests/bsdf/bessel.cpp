@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <pelage/bsdf/bessel.hpp>
 
-#include <doctest/doctest.h>
+#include <property.hpp>
+#include <sweep.hpp>
 
 #include <cmath>
 #include <initializer_list>
@@ -56,6 +57,53 @@ TEST_CASE("log I0 has float's full precision from 0.01 to a million") {
 TEST_CASE("log I0 has double's precision from 0.3 to a million") {
   CHECK(worst_error<double>(0.3L, 19.9L) < 1e-14L);
   CHECK(worst_error<double>(19.9L, 1e6L) < 1e-14L);
+}
+
+namespace {
+
+/// I₀ - 1 for x < 60 and e⁻ˣ I₀ from 60 on, by their series in long double.
+long double i0_rise(long double x) {
+  long double term = 1.0L, sum = 0.0L;
+  for (int k = 1; k < 300; ++k)
+    sum += term *= 0.25L * x * x / (static_cast<long double>(k) * k);
+  return sum;
+}
+long double i0_far(long double x) {
+  long double term = 1.0L, sum = 1.0L;
+  for (int k = 1; k < 30; ++k)
+    sum += term *= static_cast<long double>((2 * k - 1) * (2 * k - 1)) / (8 * k * x);
+  return sum / std::sqrt(6.283185307179586476925286766559L * x);
+}
+
+/// The worst relative errors of the value and of ln I₀ for arguments from `low` to `high`.
+template <class Real>
+void check_range(double low, double high, double of_value, double of_logarithm) {
+  pelage::test::worst_case value, logarithm;
+  for (int i = 0; i < 60'000; ++i) {
+    const auto x = static_cast<Real>(pelage::test::on_log_scale(pelage::test::even_point<1>(i)[0], low, high));
+    const bool far = x >= Real(60);
+    const long double whole = far ? i0_far(x) : 1.0L + i0_rise(x);
+    const bessel_i0_parts<Real> parts = bessel_i0(x);
+    const long double expected =
+        far || parts.growth == Real(0) ? whole : whole * std::exp(-static_cast<long double>(x));
+    value.see(static_cast<double>(std::abs(parts.value / expected - 1)), {static_cast<double>(x)});
+    const long double ln = far ? x + std::log(whole) : std::log1p(i0_rise(x));
+    logarithm.see(static_cast<double>(std::abs(log_bessel_i0(x) / ln - 1)), {static_cast<double>(x)});
+  }
+  CHECK_MESSAGE(value.error < of_value, value);
+  CHECK_MESSAGE(logarithm.error < of_logarithm, logarithm);
+}
+
+}  // namespace
+
+TEST_CASE("I0 and its logarithm keep their digits from the least argument to the greatest") {
+  check_range<float>(3e-19, 1.0, 3e-7, 1e-6);
+  check_range<float>(1.0, 100.0, 3e-7, 1e-6);
+  check_range<float>(100.0, 3e38, 3e-7, 1e-6);
+  check_range<double>(1e-150, 1.0, 3e-15, 1e-14);
+  check_range<double>(1.0, 100.0, 3e-15, 1e-14);
+  check_range<double>(15.0, 22.0, 3e-15, 1e-14);
+  check_range<double>(100.0, 1e300, 3e-15, 1e-14);
 }
 
 TEST_CASE("log I0 is x²/4 near 0, where the logarithm of a sum has lost everything") {

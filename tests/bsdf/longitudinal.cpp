@@ -5,6 +5,7 @@
 #include <bsdf/sphere.hpp>
 
 #include <property.hpp>
+#include <sweep.hpp>
 
 #include <cmath>
 #include <limits>
@@ -53,6 +54,29 @@ TEST_CASE("M integrates to 1 over the whole range of roughness, at every inclina
       }
     }
   }
+}
+
+TEST_CASE("float's M has a relative error below 1e-6 (1 + gap/v) for every variance") {
+  test::worst_case worst;
+  for (int i = 0; i < 30'000; ++i) {
+    const auto [a, b, c] = test::even_point<3>(i);
+    const auto lobe = make_longitudinal_lobe(static_cast<float>(test::on_log_scale(a, 1e-8, i % 2 == 0 ? 1e38 : 10.0)));
+    const auto gap = static_cast<float>(i % 3 == 0 ? 2.0 * b : test::on_log_scale(b, 1e-12, 2.0));
+    const auto product = static_cast<float>(i % 5 == 0 ? test::on_log_scale(c, 1e-30, 1.0) : c);
+    const long double v = lobe.variance;
+    const long double x = product / v;
+    // e⁻ˣ I₀(x) as the mean of e^(x (cos t - 1)) by the trapezium rule, which is exact to long double here.
+    long double mean = 0.0L;
+    const int count = x > 400.0L ? 0 : 200;
+    for (int k = 0; k < count; ++k)
+      mean += std::exp(x * (std::cos(std::numbers::pi_v<long double> * (k + 0.5L) / count) - 1.0L)) / count;
+    if (count == 0) mean = (1 + 0.125L / x + 0.0703125L / (x * x)) / std::sqrt(2 * std::numbers::pi_v<long double> * x);
+    const long double exact = std::exp(-gap / v) * mean / (v * -std::expm1(-2 / v));
+    if (gap > 81 * v || exact < 1.2e-38L) continue;
+    const auto error = static_cast<double>(std::abs(evaluate_longitudinal(lobe, {gap, product}) / exact - 1));
+    worst.see(error / static_cast<double>(1 + gap / v), {lobe.variance, gap, product});
+  }
+  CHECK_MESSAGE(worst.error < 1e-6, worst);
 }
 
 TEST_CASE("float's M is within 2e-5 at β_m 0.01, where logarithms that cancel lose a hundredth") {

@@ -26,17 +26,17 @@ marschner_parameters<float> hair() {
   return common_marschner_parameters<float>({0.1f, 0.4f, 1.0f});
 }
 
-/// The largest difference of each lobe, in parts of its greatest value, for θ_d up to 1.2.
-std::array<float, 3> worst_errors(std::uint32_t thetas, std::uint32_t phis) {
-  const auto parameters = hair();
+/// The largest difference of each lobe, in parts of its greatest value, for θ_d from 0 to `end`.
+std::array<float, 3> worst_errors(std::uint32_t thetas, std::uint32_t phis, float end = 1.2f, float sigma = 0.1f) {
+  const auto parameters = common_marschner_parameters<float>({sigma, 0.4f, 1.0f});
   const stored_table stored(parameters, thetas, phis);
   std::array<float, 3> worst = {0.0f, 0.0f, 0.0f};
   std::array<float, 3> greatest = {0.0f, 0.0f, 0.0f};
-  for (int i = 0; i < 61; ++i) {
-    const float theta = 0.02f * static_cast<float>(i);
+  for (int i = 0; i <= 240; ++i) {
+    const float theta = end * static_cast<float>(i) / 240.0f;
     const auto section = make_fibre_section(parameters.eta, theta);
-    for (int k = 0; k < 700; ++k) {
-      const float phi = 0.0044f * static_cast<float>(k);
+    for (int k = 0; k <= 1500; ++k) {
+      const float phi = 3.14159265f * static_cast<float>(k) / 1500.0f;
       const auto found = look_up_marschner(stored.table, std::sin(theta), phi);
       const std::array<float, 3> exact = {bare_azimuthal(section, 0, phi, parameters.sigma_a)[0],
                                           bare_azimuthal(section, 1, phi, parameters.sigma_a)[0],
@@ -59,6 +59,12 @@ TEST_CASE("a table of 64 × 256 is within the stated error, and a finer one is b
   CHECK(coarse[0] < 0.006f);
   CHECK(coarse[1] < 0.002f);
   CHECK(coarse[2] < 0.04f);
+  for (const float sigma : {0.0f, 5.0f}) {
+    const std::array<float, 3> worst = worst_errors(64, 256, 1.2f, sigma);
+    CHECK((worst[0] < 0.006f && worst[1] < 0.002f && worst[2] < 0.04f));
+  }
+  const std::array<float, 3> grazing = worst_errors(64, 256, 1.5707f, 0.0f);
+  CHECK((grazing[0] < 0.25f && grazing[1] < 0.03f && grazing[2] < 0.12f));
   const std::array<float, 3> coarser = worst_errors(16, 64);
   for (std::size_t p = 0; p < 3; ++p) {
     CHECK(coarser[p] > 1.5f * coarse[p]);

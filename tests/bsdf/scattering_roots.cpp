@@ -152,6 +152,28 @@ TEST_CASE("roots keep their digits over every index, in float and in double") {
   }
 }
 
+TEST_CASE("roots of an azimuth of many turns lose what wrapping it loses") {
+  for (int path = 0; path <= 2; ++path) {
+    test::worst_case worst;
+    for (int i = 0; i < 60000; ++i) {
+      const auto [u, v] = test::even_point<2>(i);
+      const auto phi = static_cast<float>((2.0 * u - 1.0) * (i % 2 == 0 ? 1000.0 : 7.0));
+      const auto excess = static_cast<float>(test::on_log_scale(v, 1e-4, 1000.0));
+      const double inside = std::remainder(static_cast<double>(phi), 2.0 * pi);
+      const auto found = find_scattering_roots(path, phi, excess);
+      const auto expected = find_scattering_roots<double>(path, inside, excess);
+      if (found.count != expected.count || pi - std::abs(inside) < 1e-4) continue;
+      for (std::uint32_t k = 0; k < found.count; ++k) {
+        const auto& root = expected.root[k];
+        const double steep = std::abs(2.0 * root.slope / root.cosine);
+        const double allowed = path == 2 ? std::max(1.0, 0.6 / std::sqrt(excess)) / std::min(1.0, steep) : 1.0;
+        if (steep >= 0.2) worst.see(std::abs(found.root[k].sine - root.sine) / allowed, {phi, excess});
+      }
+    }
+    CHECK_MESSAGE(worst.error < (path == 2 ? 1e-6 : 7e-7), worst);
+  }
+}
+
 TEST_CASE("a root's slope is dφ/dh in double and in float, down to the caustic") {
   const double phi_c = 2.0 * find_caustic(excess_of(1.55)).half_azimuth;
   for (const double off : {1e-2, 1e-3, 1e-4, 1e-6}) {

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "sweep.hpp"
@@ -27,6 +28,17 @@ inline shares_by_angles fresnel_by_angles(double cosine, double eta) {
   const long double both = through + through / (std::cos(i - t) * std::cos(i - t));
   return {static_cast<double>(0.5L * (perpendicular * perpendicular + parallel * parallel)),
           static_cast<double>(0.5L * both)};
+}
+
+/// The same by the cosines of both sides, for grazing light, whose angle has lost its cosine.
+inline shares_by_angles fresnel_by_cosines(long double cosine, long double eta) {
+  const long double inside = std::sqrt(std::max(0.0L, (eta - 1) * (eta + 1) + cosine * cosine)) / eta;
+  const long double a = cosine + eta * inside;
+  const long double b = eta * cosine + inside;
+  const long double perpendicular = (cosine - eta * inside) / a;
+  const long double parallel = (eta * cosine - inside) / b;
+  return {static_cast<double>(0.5L * (perpendicular * perpendicular + parallel * parallel)),
+          static_cast<double>(2 * cosine * eta * inside * (1 / (a * a) + 1 / (b * b)))};
 }
 
 /// Calls see(cos_theta, eta): cosines even over [0, 1], then crowded at 0 and at 1; indices crowded at 1.

@@ -21,7 +21,8 @@ struct azimuthal_lobe {
 template <real_number Real>
 [[nodiscard]] inline azimuthal_lobe<Real> make_azimuthal_lobe(Real scale) noexcept;
 
-/// N(x) per radian at a distance x in [0, π] from the middle. Relative error below 4e-7 (1 + x/s) in float.
+/// N(x) per radian at a distance x in [0, π] from the middle. Relative error below 4e-7 (1 + x/s) in float where
+/// x ≤ 87 s and N is normal; beyond, 0 or what is left of a denormal exponential.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real evaluate_azimuthal(const azimuthal_lobe<Real>& lobe,
                                                                  Real from_middle) noexcept;

@@ -22,9 +22,10 @@ namespace pelage::inline PELAGE_ABI {
 /// i/(theta_count - 1), column k holds φ = π k/(phi_count - 1): the texel's middles, ends included, so a sampler that
 /// clamps needs the coordinates of table_coordinate(). Looked up linearly.
 ///
-/// Error at 64 × 256 for η 1.55 with the caustic smoothed, against the greatest N of the lobe: below 0.006 for R, 0.002
-/// for TT, 0.04 for TRT up to θ_d = 1.2; the errors fall with the square of the counts, but at TRT's edges in φ and
-/// R's at π, where they fall linearly. 36 bytes per entry in float, 576 KiB at that size. Round fibres only.
+/// Error at 64 × 256 for η 1.55 with the caustic smoothed, against the greatest N of the lobe: up to θ_d = 1.2 below
+/// 0.006 for R, 0.002 for TT and 0.04 for TRT, beyond below 0.25, 0.03 and 0.12; the errors fall with the square of the
+/// counts, but at TRT's edges in φ and R's at π, where they fall linearly. 36 bytes per entry in float, 576 KiB at that
+/// size. Round fibres only.
 template <std::floating_point Real>
 struct marschner_table {
   std::uint32_t theta_count;                 ///< [2, 4096]

@@ -17,7 +17,8 @@ struct pelage_azimuthal_lobe {
 /// The lobe of scale s in radians, clamped to at least 1e-5; NaN gives that.
 precise pelage_azimuthal_lobe pelage_make_azimuthal_lobe(float scale);
 
-/// N(x) per radian at a distance x in [0, π] from the middle. Relative error below 4e-7 (1 + x/s) in float.
+/// N(x) per radian at a distance x in [0, π] from the middle. Relative error below 4e-7 (1 + x/s) in float where
+/// x ≤ 87 s and N is normal; beyond, 0 or what is left of a denormal exponential.
 precise float pelage_evaluate_azimuthal(pelage_azimuthal_lobe lobe, float from_middle);
 
 /// Draws a signed distance from the middle, [-π, π], with density N from a number in [0, 1).

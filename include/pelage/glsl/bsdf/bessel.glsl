@@ -14,14 +14,15 @@ struct pelage_bessel_i0_parts {
   float growth;  ///< 0 for small arguments, x for large ones
 };
 
-/// I₀ at x ≥ 0, +inf excepted; relative error of the value below 3e-7 in float, 1e-15 in double.
+/// I₀ at x ≥ 0, +inf excepted; relative error of the value below 3e-7 in float, 3e-15 in double.
 ///
 /// In float: a polynomial in x² up to 6, beyond it one in 1/x of √x e⁻ˣ I₀. In double: the power series, whose terms
 /// are all positive, up to 20, beyond it the asymptotic series, whose least term is then below e⁻⁴⁰.
 /// [Abramowitz & Stegun 9.6.12, 9.7.1]
 precise pelage_bessel_i0_parts pelage_bessel_i0(float x);
 
-/// ln I₀(x), x in [0, +inf): relative error below 1e-6 in float, 1e-14 in double, near 0 (x²/4) as elsewhere.
+/// ln I₀(x), x in [0, +inf): relative error below 1e-6 in float, 1e-14 in double, near 0 (x²/4) as elsewhere, as long
+/// as it is normal.
 precise float pelage_log_bessel_i0(float x);
 
 /// I₀ - 1 over x² in float, x² ≤ 36.

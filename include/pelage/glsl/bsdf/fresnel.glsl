@@ -15,7 +15,8 @@ float pelage_fresnel_dielectric(float cos_theta, float eta) {
 }
 
 /// A(η, θ): the share of light that passes a clear fibre through its axis, in and out again: (1 - F)², [0, 1].
-/// What passes without absorption; the fibre's colour multiplies it. [Yu12 Eq. 2]
+/// What passes without absorption; the fibre's colour multiplies it. [Yu12 §3.1] names A and prints no form of it; this
+/// is the A(1, 0) of Marschner 2003, Eq. 8, without absorption.
 ///
 /// `eta`: the fibre's index, (0, 1e18); hair 1.55. `sin_theta`: sine of the light's inclination from the plane at
 /// right angles to the fibre, [-1, 1]; at ±1 (along the fibre) and beyond, or NaN: 0.

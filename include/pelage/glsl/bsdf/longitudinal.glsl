@@ -42,7 +42,8 @@ struct pelage_inclination_pair {
 /// M(θ_i, θ_o) = e^(-sin θ_i sin θ_o / v) I₀(cos θ_i cos θ_o / v) / (2 v sinh(1/v)); its integral over θ_i weighted
 /// with cos θ_i is 1 whatever θ_o and v are.
 ///
-/// The exponent is formed as gap/v, where nothing cancels: relative error below 1e-6 · (1 + gap/v) in float.
+/// The exponent is formed as gap/v, where nothing cancels: relative error below 1e-6 · (1 + gap/v) in float
+/// where gap ≤ 81 v and M is normal; beyond, 0 or what is left of a denormal exponential.
 precise float pelage_evaluate_longitudinal(pelage_longitudinal_lobe lobe, pelage_inclination_pair pair);
 
 /// M of two inclinations given by sine and cosine.

@@ -29,7 +29,8 @@ uint[PELAGE_MEAN_PASSAGE_PANELS] PELAGE_MEAN_PASSAGE_PANELS_has_one_value_in_a_s
 /// It is the TT lobe's A_1 = (1 - F)² T of the BSDF itself, so that a path that takes a fibre for a filter and one that
 /// scatters in it agree: averaged over the width it is the integral of the TT lobe over all directions. Light that R,
 /// TRT and the residual lobe take out of the path is what those lobes scatter. The lobe's spread is the one thing that
-/// the straight path leaves out. Along the axis with σ_a = 0 it is pelage_fibre_attenuation().
+/// the straight path leaves out. Along the axis with σ_a = 0 it is pelage_fibre_attenuation(), the A(η, θ) of [Yu12
+/// §3.1], which knows neither the fibre's colour nor where across its width light meets it.
 
 #ifndef PELAGE_BSDF_PASSAGE_GLSL_ONCE
 

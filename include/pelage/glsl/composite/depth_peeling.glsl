@@ -7,9 +7,9 @@
 #include "../core/fragment.glsl"
 
 /// One layer of a pixel at a time, without memory for more: the reference that the approximations are compared with.
-/// [Everitt 2001] Each pass offers all fragments in any order; then pelage_depth_peeling_advance() and begin the next,
-/// until pelage_depth_peeling_layer() is none. n + 1 passes for n fragments. Ties in depth go to the smaller id, none
-/// is lost: what the original loses at equal depth, the total order keeps apart. 20 bytes.
+/// [Everitt 2001, nearest first] Each pass offers all fragments in any order; then pelage_depth_peeling_advance() and
+/// begin the next, until pelage_depth_peeling_layer() is none. n + 1 passes for n fragments. Ties in depth go to the
+/// smaller id, none is lost: what the original loses at equal depth, the total order keeps apart. 20 bytes.
 struct pelage_depth_peeling {
   pelage_fragment last;     ///< the layer before this pass's; pelage_no_fragment() in the first
   pelage_fragment nearest;  ///< of those behind it so far

@@ -8,7 +8,9 @@
 #include "../core/real_number.glsl"
 
 /// Transmittances multiply; their logarithms add; and integers add to the same sum in any order. An optical depth
-/// here is -log₂ of a transmittance in units of 2⁻²⁰, unsigned 32-bit.
+/// here is -log₂ of a transmittance in units of 2⁻²⁰, unsigned 32-bit. [Sintorn & Assarsson 2009, §3.3] counts o
+/// fragments, takes e^(-o w) and leaves the weight w free; -log₂(1 - α) a fragment in its place makes the product
+/// exact.
 ///
 /// Range [0, 4096) octaves. One fragment counts at most 32 octaves (an opaque one). Sums saturate at the end of the
 /// range, which is still the same in any order, and read as 0, as does every sum from 126.00001 octaves on. Each

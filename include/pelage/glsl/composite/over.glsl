@@ -4,13 +4,14 @@
 #ifndef PELAGE_COMPOSITE_OVER_GLSL
 #define PELAGE_COMPOSITE_OVER_GLSL
 
-/// A colour and its alpha as a premultiplied one. `alpha`: [0, 1].
+/// A colour and its alpha as a premultiplied one, (R α, G α, B α, α). `alpha`: [0, 1]. [Porter & Duff 1984; Svoboda
+/// §2.5.2, where the text has R/α for R α]
 precise vec4 pelage_premultiply(vec3 colour, float alpha) {
   return vec4(colour * alpha, alpha);
 }
 
-/// `front` over `back`, both premultiplied: what is seen of both. Associative except for rounding; a transparent
-/// black is the identity. An opaque front hides any finite back.
+/// `front` over `back`, both premultiplied: what is seen of both. [Porter & Duff 1984] Associative except for rounding;
+/// a transparent black is the identity. An opaque front hides any finite back.
 precise vec4 pelage_over(vec4 front, vec4 back) {
   return front + (1.0 - front.w) * back;
 }

@@ -8,7 +8,8 @@
 #include "transmittance.glsl"
 
 /// A pixel's radiance while its fibres are added front to back: Σ (1 - Aᵢ) Cᵢ Lᵢ Π_{j<i} (Aⱼ Cⱼ + 1 - Cⱼ).
-/// [Yu12 Eq. 5] A fibre scatters toward the eye the share of the light that it stops, so that with L = 1
+/// [Yu12 Eq. 5, which has no (1 - Aᵢ) Cᵢ] A fibre scatters toward the eye the share of the light that it stops: without
+/// that factor one that covers a hundredth of the pixel would be as bright as one that fills it. So with L = 1
 /// everywhere, background included, the pixel is 1 whatever lies in it.
 struct pelage_pixel_radiance {
   vec3 radiance;       ///< gathered so far, linear RGB

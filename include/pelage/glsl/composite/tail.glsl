@@ -8,9 +8,9 @@
 #include "../core/math.glsl"
 #include "../core/real_number.glsl"
 
-/// What lies behind the K nearest fragments of a pixel, as one layer that does not depend on the order of arrival:
-/// integers only, so that every interleaving gives the same bits. Keeps the exact product of transmittances and the
-/// alpha-weighted mean colour; drops the order among the tail's own fragments. 20 bytes.
+/// What lies behind the K nearest fragments of a pixel, which [Yu12 §5.1] leaves out, as one layer that does not depend
+/// on the order of arrival: integers only, so that every interleaving gives the same bits. Keeps the exact product of
+/// transmittances and the alpha-weighted mean colour; drops the order among the tail's own fragments. 20 bytes.
 ///
 /// Sums of alpha and alpha · colour are in units of 2⁻²⁰, range [0, 4096), rounded by at most 2⁻²¹ a fragment (a
 /// product above 8 by the float's own last bit); each saturates by itself, and then the hue is lost.

@@ -4,7 +4,7 @@
 #ifndef PELAGE_COMPOSITE_TRANSMITTANCE_GLSL
 #define PELAGE_COMPOSITE_TRANSMITTANCE_GLSL
 
-/// What one fibre lets through to what lies behind it, per channel: A C + (1 - C). [Yu12 Eq. 3]
+/// What one fibre lets through to what lies behind it, per channel: A C + (1 - C). [Yu12 §3.1, Eq. 3]
 /// The transmittance of a path is the product over its fibres, in any order.
 ///
 /// `attenuation` A: the part of the light that passes where the fibre is hit, [0, 1]; 1 - opacity for a grey fibre.

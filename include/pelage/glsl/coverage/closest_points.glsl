@@ -16,7 +16,7 @@ struct pelage_closest_pair {
 };
 
 /// The closest points of a ray and a segment. A ray that misses the fibre's axis has no hit point: the point of the
-/// ray nearest to the axis stands for it, and its `along_ray` is the fragment's depth. [Yu12 §4]
+/// ray nearest to the axis stands for it, and its `along_ray` is the fragment's depth. [Yu12 §4.2]
 ///
 /// `direction` need not be a unit vector but not 0: with direction.z = ±1 in view space, `along_ray` is view depth.
 /// Ties: of a segment parallel to the ray, the point nearest to the ray's origin. A segment of length 0 is a point.

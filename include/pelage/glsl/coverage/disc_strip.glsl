@@ -7,7 +7,7 @@
 #include "../core/real_number.glsl"
 
 /// The share of a pixel's disc that a fibre's strip covers, [0, 1]: circle minus the caps on the strip's two sides,
-/// over the circle. [Yu12 §6]
+/// over the circle. [Yu12 §4.2]
 ///
 /// `offset`: distance from the disc's centre to the strip's axis; its sign does not matter.
 /// `fibre_radius`: half the strip's width, [0, inf]. `disc_radius`: [0, inf), in float below 2¹²⁷. All in one length

@@ -15,7 +15,9 @@ struct pelage_segment_quad {
 };
 
 /// Widens a segment to a quad that faces the eye, by the fibre's radius plus `margin` pixels to the sides and past
-/// the ends: every pixel whose disc the fibre can touch has its centre inside, and few others. [Yu12 §4]
+/// the ends: every pixel whose disc the fibre can touch has its centre inside, and few others.
+/// [Yu12 §4.1, which moves the edges of the projected quad by 2 pixels; here corners are moved in space, so that it
+/// holds for wide fibres near the eye and past the ends, too]
 ///
 /// `start`, `end`: view space. What lies nearer than the plane z = -near_plane is cut off; near_plane in (0, inf),
 /// for an orthographic cone any number. `fibre_radius`: [0, inf). `cone`: the pixel's, slope in [0, 1); its disc must

@@ -38,12 +38,12 @@ uint[PELAGE_K_BUFFER_K] PELAGE_K_BUFFER_K_has_one_value_in_a_shader();
 #define pelage_sort_network PELAGE_PASTE(PELAGE_PREFIX, _sort_network)
 #endif
 
-/// The K fragments of one pixel nearest the eye, by select-and-replace. [Yu12 §5.1]
+/// The K fragments of one pixel nearest the eye, by select-and-replace. [Yu12 §5.1, second pass]
 ///
 /// Keeps the K first of the total order; drops nothing silently, since pelage_k_buffer_insert() hands back what falls
-/// out. After pelage_k_buffer_sort() its state depends on the set of fragments alone, not on their order of arrival:
-/// ties in depth go to the smaller id. Not concurrent: one thread builds it (atomic structures are in a_buffer.glsl and
-/// ordered_list.glsl). 8 K + 12 bytes. K in [1, 64].
+/// out, where the paper leaves it out. After pelage_k_buffer_sort() its state depends on the set of fragments alone,
+/// not on their order of arrival: ties in depth go to the smaller id. Not concurrent: one thread builds it
+/// (atomic_k_buffer.glsl is for many). 8 K + 12 bytes. K in [1, 64].
 struct pelage_k_buffer {
   pelage_fragment slot[PELAGE_K_BUFFER_K];  ///< in no order before pelage_k_buffer_sort(); empty slots hold
                                             ///< pelage_no_fragment()

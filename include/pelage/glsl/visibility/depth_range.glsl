@@ -17,6 +17,7 @@ bool pelage_is_finite_depth(float depth) {
 }
 
 /// The nearest and the farthest depth of a texel's fragments: where the slices of its maps begin and end. 8 bytes.
+/// [Sintorn & Assarsson 2009, §3.1, which finds them by two depth-tested passes or one that blends]
 ///
 /// Holds keys (see pelage_depth_key), so that minimum and maximum are those of integers. Depends on the set of depths
 /// alone. What an opaque object hides is not to be taken in: the caller's depth limit cuts fibres before this.

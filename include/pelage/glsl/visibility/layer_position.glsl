@@ -18,7 +18,8 @@ precise float pelage_detail_offset_in_widths(float offset, float width) {
   return width <= 8.50705917e37 ? offset / width : 0.0;
 }
 
-/// Equal slices over a texel's whole depth range [Kim & Neumann 2001]. `relative`: pelage_depth_range_relative, [0, 1].
+/// Equal slices over a texel's whole depth range [Kim & Neumann 2001; Sintorn & Assarsson 2009, §3.1, whose ⌊d N⌋ has
+/// no slice for d = 1: pelage_layer_at() puts it in the last]. `relative`: pelage_depth_range_relative, [0, 1].
 precise float pelage_slice_position(float relative, uint slices) {
   const float end = float(slices);
   return pelage_detail_clamped_position(relative * end, end);

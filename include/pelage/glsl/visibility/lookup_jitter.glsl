@@ -7,7 +7,8 @@
 #include "../core/mixed_bits.glsl"
 
 /// An offset for a look-up in a map, in texels, [-½, ½) on each axis: added to the place that a fragment looks up, it
-/// turns the steps between texels into noise of half a texel. Even over the square; the same for the same seed, so
+/// turns the steps between texels into noise of half a texel, where filtering would read four. [Sintorn & Assarsson
+/// 2009, §3.3] Even over the square; the same for the same seed, so
 /// name what does not change from frame to frame, such as a fragment's id mixed with its pixel's number.
 precise vec2 pelage_lookup_jitter(uint seed) {
   const uint x = pelage_mixed_bits(seed + 0x9e3779b9u);

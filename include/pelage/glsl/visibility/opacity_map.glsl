@@ -41,7 +41,7 @@ const uint pelage_opacity_map_cells = PELAGE_OPACITY_MAP_LAYERS;  ///< a texel, 
 
 /// One texel of an opacity map: a sum for each layer. With pelage_slice_position() it is an opacity shadow map
 /// [Kim & Neumann 2001], with pelage_equal_layer_position() or pelage_growing_layer_position() a deep opacity map
-/// [Yuksel & Keyser 2008].
+/// [Yuksel & Keyser 2008; Svoboda §1.5.4].
 ///
 /// Keeps what each layer holds, what lies beyond the last in the last; drops where in its layer a fragment lies.
 /// Depends on the set of fragments alone, bit for bit. Sums count fragments, or whatever `added` the caller gives,
@@ -85,10 +85,10 @@ uint pelage_opacity_map_total(pelage_opacity_map self) {
 }
 
 /// The estimate of what lies before a position, from 0 to pelage_opacity_map_total(): each layer weighs as much of
-/// itself as lies before, by one formula without a branch [Svoboda §1.3.3]. Never falls as the position grows; exact at
-/// the ends of layers (so what lies at the far end of the range counts as before that end), except that sums from 2²⁴
-/// on are rounded twice a layer, by up to 2⁻²⁴ of themselves. Where pelage_opacity_map_total() stops it goes on beyond.
-/// O(Layers).
+/// itself as lies before, by one formula without a branch [Svoboda §2.7.3, there with running sums, and §1.5.3]. Never
+/// falls as the position grows; exact at the ends of layers (so what lies at the far end of the range counts as before
+/// that end), except that sums from 2²⁴ on are rounded twice a layer, by up to 2⁻²⁴ of themselves. Where
+/// pelage_opacity_map_total() stops it goes on beyond. O(Layers).
 precise float pelage_opacity_map_amount_before(pelage_opacity_map self, float position) {
   float sum = 0.0;
   for (uint i = 0u; i < PELAGE_OPACITY_MAP_LAYERS; ++i) {
