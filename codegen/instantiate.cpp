@@ -28,6 +28,7 @@
 #include <pelage/bsdf/scattering_roots.hpp>
 #include <pelage/composite/atomic_tail.hpp>
 #include <pelage/composite/depth_peeling.hpp>
+#include <pelage/composite/divided_pixel.hpp>
 #include <pelage/composite/optical_depth.hpp>
 #include <pelage/composite/order_weighted.hpp>
 #include <pelage/composite/over.hpp>
@@ -209,6 +210,10 @@ template glm::vec4 over(const glm::vec4&, const glm::vec4&) noexcept;
 template pixel_radiance<float> empty_pixel() noexcept;
 template pixel_radiance<float> add_fibre(const pixel_radiance<float>&, const vec3&, const vec3&, float) noexcept;
 template vec3 resolve(const pixel_radiance<float>&, const vec3&) noexcept;
+template float parting_depth(float, float) noexcept;
+template divided_pixel<float> empty_divided_pixel() noexcept;
+template divided_pixel<float> add_fibre(const divided_pixel<float>&, bool, const vec3&, const vec3&, float) noexcept;
+template vec3 resolve(const divided_pixel<float>&, const divided_backdrop<float>&) noexcept;
 template void atomic_tail::add(cells&, std::uint32_t, const tail&) noexcept;
 template tail atomic_tail::load(const cells&, std::uint32_t) noexcept;
 template struct stochastic_depths<16u>;

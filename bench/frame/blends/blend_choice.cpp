@@ -26,9 +26,9 @@ order_report draw_in_order(camera_film& film, const raster& from, const order_op
 template <class Blend>
 order_report draw_unordered(camera_film& film, const raster& from, const order_options& order, const Blend& blend) {
   return run_list_pass(from, film.limit(), order.drawing_order, [&](int x, int y, std::span<pixel_fragment> all) {
-    static thread_local std::vector<layer> layers;
-    film.look_at(x, y, all, layers);
-    film.set(x, y, blend(layers, film.behind_fibres(x, y), x, y));
+    film.finish_by(
+        [&](std::span<const layer> layers, const glm::vec3& background) { return blend(layers, background, x, y); }, x,
+        y, all);
   });
 }
 

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/composite/divided_pixel.hpp>
+
 #include <glm/glm.hpp>
 #include <cstddef>
 #include <span>
@@ -13,7 +15,7 @@
 namespace pelage::frame {
 
 /// What an eye sees where no fibre is: the opaque objects before the background. With anti-aliasing a pixel sees them
-/// by 3 × 3 samples.
+/// by 3 × 3 samples, as two surfaces where these lie at different depths.
 class backdrop {
  public:
   /// O(pixels), parallel.
@@ -22,19 +24,23 @@ class backdrop {
   /// View depth of the farthest opaque sample in each pixel, +inf where one sees none: what is behind is hidden.
   [[nodiscard]] std::span<const float> limit() const { return limit_; }
 
-  /// The share of a pixel's samples that a view depth lies in front of, [0, 1].
-  [[nodiscard]] float share_behind(std::size_t pixel, float depth) const;
+  /// View depth of the nearer surface in each pixel, divided_backdrop::edge.
+  [[nodiscard]] std::span<const float> edge() const { return edge_; }
 
+  [[nodiscard]] divided_backdrop<float> at(std::size_t pixel) const {
+    return {edge_[pixel], far_share_[pixel], far_light_[pixel], picture_.pixels[pixel]};
+  }
   [[nodiscard]] const image& picture() const { return picture_; }
 
  private:
   /// The pixels from (x, y) to the right, as many as there are lanes.
   void see(const view& eye, const scene& world, int x, int y);
 
-  int side_;                         ///< samples along a pixel's side
-  std::vector<float> sample_depth_;  ///< side² a pixel
-  std::vector<float> nearest_;       ///< the least of them
-  std::vector<float> limit_;         ///< the greatest
+  int side_;  ///< samples along a pixel's side
+  std::vector<float> limit_;
+  std::vector<float> edge_;
+  std::vector<float> far_share_;
+  std::vector<glm::vec3> far_light_;
   image picture_;
 };
 

@@ -29,8 +29,8 @@ enum class components {
 
 /// The camera's end of the path: gathers a pixel's fibres over the opaque objects and the background.
 ///
-/// A fibre counts with the share of the backdrop's samples that it lies in front of: at an object's edge neither hair
-/// nor background shines through the object.
+/// At an object's edge neither hair nor background shines through the object: what a pixel sees beside the edge is
+/// composited apart from what it sees before it.
 class camera_film final : public pixel_visitor {
  public:
   /// `behind`, `shades`: of the raster's eye. All references must outlive the film.
@@ -45,24 +45,47 @@ class camera_film final : public pixel_visitor {
                   std::span<tail> behind) override;
   void finish(int x, int y, std::span<const pixel_fragment> nearest, const tail& behind) override;
 
-  /// For methods that blend in another way than finish(): a pixel's fragments as layers, what is seen behind them, and
-  /// what both come to. May be called for different pixels at once.
-  void look_at(int x, int y, std::span<const pixel_fragment> all, std::vector<layer>& layers) const;
-  [[nodiscard]] const glm::vec3& behind_fibres(int x, int y) const { return picture_.at(x, y); }  ///< before set()
-  void set(int x, int y, const glm::vec3& colour) { picture_.at(x, y) = colour; }
+  /// For methods that blend in another way than finish(): `blend(std::span<const layer>, background)` gives what is
+  /// seen of a pixel's fragments as layers, in the order in which they come, before a background. Where an edge divides
+  /// the pixel, it is asked for either part. May be called for different pixels at once.
+  template <class Blend>
+  void finish_by(const Blend& blend, int x, int y, std::span<const pixel_fragment> all);
 
   [[nodiscard]] const image& picture() const { return picture_; }
 
  private:
   [[nodiscard]] std::size_t index(int x, int y) const;
-  [[nodiscard]] float visible_coverage(std::size_t pixel, const pixel_fragment& f) const;
   [[nodiscard]] float opacity(const pixel_fragment& f) const;
 
   const raster& from_;
   const backdrop& behind_;
   const shaded_fibres& shades_;
   components shown_;
-  image picture_;  ///< what is behind the fibres, until a pixel is finished
+  std::vector<tail> behind_edge_;  ///< of each pixel, what is lost of the fragments behind its edge
+  image picture_;                  ///< what is behind the fibres, until a pixel is finished
 };
+
+// ---------------------------------------------------------------------------------------------------------
+
+template <class Blend>
+void camera_film::finish_by(const Blend& blend, int x, int y, std::span<const pixel_fragment> all) {
+  static thread_local std::vector<layer> layers;
+  static thread_local std::vector<layer> before;
+  layers.clear();
+  before.clear();
+  const divided_backdrop<float> behind = behind_.at(index(x, y));
+  for (const pixel_fragment& f : all) {
+    layers.push_back({fragment_of(f), opacity(f) * f.coverage, shades_.at(f.id, f.along)});
+    if (f.depth < behind.edge) before.push_back(layers.back());
+  }
+  glm::vec3& colour = picture_.at(x, y);
+  if (before.size() == layers.size()) {
+    colour = blend(std::span<const layer>(layers), behind.all_light);
+    return;
+  }
+  const float near_share = 1.0F - behind.far_share;
+  colour = near_share * blend(std::span<const layer>(before), (behind.all_light - behind.far_light) / near_share) +
+           behind.far_share * blend(std::span<const layer>(layers), behind.far_light / behind.far_share);
+}
 
 }  // namespace pelage::frame
