@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <pelage/bsdf/fresnel.hpp>
 #include <pelage/bsdf/kajiya_kay.hpp>
+#include <pelage/composite/divided_pixel.hpp>
 #include <pelage/composite/over.hpp>
 #include <pelage/composite/radiance.hpp>
 #include <pelage/composite/tail.hpp>
@@ -176,6 +177,12 @@ TEST_CASE("Tails have the same bits on every device, blending differs by the sta
               out.put(resolve(add_tail(add_fibre(empty_pixel<float>(), colour, glm::vec3(back), in.f(7)), t), colour));
               out.put(transmittance_of(in.f(8)));
               out.put(clamp_keeping_hue(glm::vec3(200.0F, 1.0F, in.f(9)) * colour));
+              out.put(parting_depth(1.0F + colour.x, 1.0F + colour.y));
+              divided_pixel<float> divided =
+                  add_fibre(empty_divided_pixel<float>(), true, colour, glm::vec3(back), alpha);
+              divided = add_fibre(divided, false, glm::vec3(back), colour, in.f(7));
+              const divided_backdrop<float> backdrop{1.0F, alpha, alpha * colour, glm::vec3(back)};
+              out.put(resolve(add_tails(divided, empty_tail(), t), backdrop));
             },
             {{"transmittance", 3, 0, 0},
              {"transmittance, grey", 1, 0, 0},
@@ -192,7 +199,9 @@ TEST_CASE("Tails have the same bits on every device, blending differs by the sta
              {"resolve", 3, 0, 0},
              {"add_tail", 3, 0, 4},
              {"transmittance_of a float", 1, 0, 0},
-             {"clamp_keeping_hue", 3, 0, 0}});
+             {"clamp_keeping_hue", 3, 0, 0},
+             {"parting_depth", 1, 0, 4},
+             {"divided pixel", 3, 0, 8, 1.0F}});
   });
 }
 

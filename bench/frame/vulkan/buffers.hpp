@@ -20,7 +20,7 @@ enum binding : std::uint32_t {
   segment_buffer,
   record_buffer,
   limit_buffer,
-  sample_buffer,
+  edge_buffer,
   count_buffer,
   run_buffer,
   pool_buffer,

@@ -87,7 +87,7 @@ plan plan_by_weight() {
   p.finish = {
       {"occupy_camera", over::segments}, {"blend_weighted", over::segments}, {"resolve_weighted", over::pixels}};
   p.maps = true;
-  p.blended = 4;
+  p.blended = 9;
   return p;
 }
 
@@ -99,7 +99,7 @@ plan plan_by_peeling() {
   p.layer = {{"peel", over::segments}, {"take_layer", over::pixels}};
   p.finish = {{"resolve_layers", over::pixels}};
   p.slots = 2;
-  p.blended = 4;
+  p.blended = 8;
   return p;
 }
 

@@ -145,7 +145,7 @@ void session::make_buffers() {
   const std::uint64_t points = set_.fibres.point.size();
   device_.resize(limit_buffer, all * sizeof(float));
   device_.resize(block_limit_buffer, all_blocks * sizeof(float));
-  device_.resize(sample_buffer, pixels(camera()) * 10 * sizeof(float));
+  device_.resize(edge_buffer, pixels(camera()) * 5 * sizeof(float));
   device_.resize(count_buffer, all * sizeof(std::uint32_t));
   device_.resize(run_buffer, all * 2 * sizeof(std::uint32_t));
   device_.resize(report_buffer, (set_.lights.size() + 1) * sizeof(view_report));

@@ -3,9 +3,10 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define STRIDE 12u
-#define RESULTS 38u
+#define RESULTS 42u
 #include "table.glsl"
 
+#include "pelage/glsl/composite/divided_pixel.glsl"
 #include "pelage/glsl/composite/optical_depth.glsl"
 #include "pelage/glsl/composite/over.glsl"
 #include "pelage/glsl/composite/radiance.glsl"
@@ -45,4 +46,9 @@ void main() {
   put(31u, pelage_resolve(pelage_add_tail(pixel, tail), colour));
   put(34u, pelage_transmittance_of(f(8u)));
   put(35u, pelage_clamp_keeping_hue(vec3(200.0, 1.0, f(9u)) * colour));
+  put(38u, pelage_parting_depth(1.0 + colour.x, 1.0 + colour.y));
+  pelage_divided_pixel divided = pelage_add_fibre(pelage_empty_divided_pixel(), true, colour, back.xyz, alpha);
+  divided = pelage_add_fibre(divided, false, back.xyz, colour, f(7u));
+  const pelage_divided_backdrop backdrop = pelage_divided_backdrop(1.0, alpha, alpha * colour, back.xyz);
+  put(39u, pelage_resolve(pelage_add_tails(divided, pelage_empty_tail(), tail), backdrop));
 }

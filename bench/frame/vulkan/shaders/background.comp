@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// What the camera sees behind the fibres: the opaque objects, lit, and the sky, by samples. In: the lights' maps. Out:
-// picture. One invocation a pixel; bounded by the maps' scattered loads where an object is seen.
+// What the camera sees behind the fibres: the opaque objects, lit, and the sky, by samples. In: the lights' maps,
+// edges. Out: edges, picture. One invocation a pixel; bounded by the maps' scattered loads where an object is seen.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#include "edge.glsl"
 #include "lighting.glsl"
 #include "solids.glsl"
 
@@ -25,21 +26,26 @@ vec3 solid_radiance(vec3 position, vec3 normal) {
   return sum;
 }
 
-vec3 seen_along(view_ray ray) {
+struct seen_sample {
+  vec3 radiance;
+  float depth;
+};
+
+seen_sample seen_along(view_ray ray) {
   const vec3 origin = VIEW.eye + direction_to_world(this_view(), ray.origin);
   const vec3 direction = direction_to_world(this_view(), ray.direction);
   const vec3 far = sky_toward(direction);
   const solid_hit hit = hit_solids(origin, direction);
   if (isinf(hit.distance)) {
-    return far;
+    return seen_sample(far, hit.distance);
   }
   const vec3 position = origin + hit.distance * direction;
   if (!hit.is_floor) {
-    return scene.skin * solid_radiance(position, shading_normal(position));
+    return seen_sample(scene.skin * solid_radiance(position, shading_normal(position)), hit.distance);
   }
   const float way = hit.distance * length(direction);
   const float haze = smoothstep(scene.floor_clear, 2.0 * scene.floor_clear, way);
-  return mix(scene.ground * solid_radiance(position, vec3(0.0, 1.0, 0.0)), far, haze);
+  return seen_sample(mix(scene.ground * solid_radiance(position, vec3(0.0, 1.0, 0.0)), far, haze), hit.distance);
 }
 
 void main() {
@@ -48,11 +54,31 @@ void main() {
     return;
   }
   const uint side = scene.antialias ? 3u : 1u;
+  const float count = float(side * side);
+  const uint e = first_of_edge(index_of(at));
+  const float parting = edges[e];
   vec3 sum = vec3(0.0);
+  vec3 far_sum = vec3(0.0);
+  float near_depths = 0.0;
+  float near_count = 0.0;
   for (uint i = 0u; i < side * side; ++i) {
-    sum += seen_along(ray_through(this_view(), sample_position(at, i, side)));
+    const seen_sample seen = seen_along(ray_through(this_view(), sample_position(at, i, side)));
+    sum += seen.radiance;
+    if (seen.depth < parting) {
+      near_depths += seen.depth;
+      near_count += 1.0;
+    } else {
+      far_sum += seen.radiance;
+    }
   }
-  sum /= float(side * side);
+  const bool is_divided = near_count > 0.0 && near_count < count;
+  edges[e] = is_divided ? near_depths / near_count : uintBitsToFloat(0x7f800000u);
+  edges[e + 1u] = (count - near_count) / count;
+  const vec3 far_light = far_sum / count;
+  edges[e + 2u] = far_light.r;
+  edges[e + 3u] = far_light.g;
+  edges[e + 4u] = far_light.b;
+  sum /= count;
   const uint p = 3u * index_of(at);
   picture[p] = sum.r;
   picture[p + 1u] = sum.g;

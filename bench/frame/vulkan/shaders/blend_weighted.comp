@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // Adds each fragment to its pixel's sums, weighted by what the pixel's occupancy map has before it. [Sintorn &
-// Assarsson 2009, §3.4] In: points, limits, shaded, cells. Out: sums. One invocation a segment; bounded by coverage's
+// Assarsson 2009, §3.4] In: points, limits, edges, shaded, cells. Out: sums. One invocation a segment; bounded by coverage's
 // arithmetic and by four adds a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -19,7 +19,7 @@ void visit(uint i, uint pixel, segment_in_pixel where) {
   const float before = pelage_occupancy_map_amount_before_fragment(o.map, camera_position(o.range, where.depth));
   const float weight = pelage_optical_weight(alpha, before);
   const pelage_tail one = pelage_add_weighted(pelage_empty_tail(), alpha, weight, fibre.radiance);
-  add_to_sums(pixel, VIEW.first_pixel + pixel, uvec4(one.weight, one.red, one.green, one.blue));
+  add_to_sums(pixel, VIEW.first_pixel + pixel, fibre.is_before_edge, one);
 }
 
 void main() {

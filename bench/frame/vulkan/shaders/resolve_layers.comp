@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// The picture from the peeled layers. In: fronts, picture. Out: picture. One invocation a pixel; bounded by 40 bytes a
+// The picture from the peeled layers. In: fronts, edges, picture. Out: picture. One invocation a pixel; bounded by 76 bytes a
 // pixel.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -15,6 +15,6 @@ void main() {
     return;
   }
   sink_begin(at, false);
-  sink_pixel = pelage_pixel_radiance(fronts[index_of(at)].rgb, vec3(fronts[index_of(at)].a));
+  sink_pixel = load_fronts(index_of(at));
   sink_finish(at);
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // The picture from the camera's runs: the K nearest fragments of each pixel in order, the rest as one layer behind
-// them, over the background. In: runs, counts, records, shaded, sample_depths, picture. Out: picture. One subgroup a
+// them, over the background. In: runs, counts, records, shaded, edges, picture. Out: picture. One subgroup a
 // pixel; bounded by the scattered loads of the radiance at the two ends of each fragment's segment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -37,9 +37,10 @@ seen_fibre see_record(uvec4 record) {
 void add_nearest(uint held) {
   for (uint row = 0u; row * lanes < held; ++row) {
     const seen_fibre mine = see_record(records[row * lanes + gl_SubgroupInvocationID < held ? nearest.slot[row].place : 0u]);
+    const uvec4 before = subgroupBallot(mine.is_before_edge);
     for (uint lane = 0u; lane < min(held - row * lanes, lanes); ++lane) {
       sink_add(seen_fibre(subgroupShuffle(mine.radiance, lane), subgroupShuffle(mine.opacity, lane),
-                          subgroupShuffle(mine.coverage, lane)));
+                          subgroupShuffle(mine.coverage, lane), subgroupBallotBitExtract(before, lane)));
     }
   }
 }
@@ -76,7 +77,10 @@ void main() {
         sink_put_behind(see_record(record));
       }
     }
-    sink_behind = sum_over_lanes(sink_behind);
+    sink_before = sum_over_lanes(sink_before);
+    if (subgroupBallot(sink_behind.optical != 0u || sink_behind.weight != 0u) != uvec4(0u)) {
+      sink_behind = sum_over_lanes(sink_behind);
+    }
   }
   if (subgroupElect()) {
     sink_finish(at);

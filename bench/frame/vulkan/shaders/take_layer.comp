@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // The layer that a pass found, behind those before. A pixel without one is hidden from further passes. In: slots,
-// shaded. Out: slots, fronts, limits. One invocation a pixel; bounded by the scattered loads of a fragment.
+// shaded, edges. Out: slots, fronts, limits. One invocation a pixel; bounded by the scattered loads of a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
@@ -22,9 +22,9 @@ void main() {
     return;
   }
   sink_begin(at, false);
-  sink_pixel = pelage_pixel_radiance(fronts[pixel].rgb, vec3(fronts[pixel].a));
+  sink_pixel = load_fronts(pixel);
   sink_keep(f);
-  fronts[pixel] = vec4(sink_pixel.radiance, sink_pixel.transmittance.r);
+  store_fronts(pixel, sink_pixel);
   slots[last_slot(pixel)] = nearest;
   slots[nearest_slot(pixel)] = pelage_pack(pelage_no_fragment());
 }
