@@ -1,16 +1,18 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 
-// The frame renderer against rays.
+// The frame renderer against rays through the same fibres: Embree finds where those are entered, and light, opaque
+// objects and the pixel's mean are computed in text of their own.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
-#include <chrono>
+#include <functional>
 #include <string>
 
-#include "frame/base/input_file.hpp"
 #include "frame/base/output_file.hpp"
-#include "truth/measure.hpp"
+#include "truth/gates.hpp"
+#include "truth/tables.hpp"
 
 namespace pelage::truth {
 namespace {
@@ -20,76 +22,71 @@ struct options {
   std::uint32_t segments = 48;
   int size = 160;
   int samples = 64;
+  int rounds = 5;
+  std::size_t threads = 2;
+  std::string out = "out/truth";
+
+  [[nodiscard]] subject chosen() const { return built_in(strands, segments, size, samples); }
 };
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+void print_frame(const subject& s) {
+  const judge rays(s);
+  print_split(s, rays);
+  print_choices(s, rays);
 }
 
-void run(const options& o) {
-  double t = now();
-  const auto lap = [&](const char* what) {
-    fmt::print(stderr, "{}: {:.1f} s\n", what, now() - t);
-    t = now();
+void print_ball(const options& o) {
+  const subject s = ball_before_hair(o.size, o.samples);
+  fmt::print("A ball before dense hair. ");
+  print_split(s, judge(s));
+}
+
+std::vector<subject> timed(int samples) {
+  return {built_in(5000, 48, 160, samples), built_in(50000, 48, 320, samples), built_in(50000, 48, 640, samples)};
+}
+
+int run(CLI::App& app, int argc, char** argv) {
+  options o;
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.add_option("--strands", o.strands, "of the built-in model")->capture_default_str();
+  app.add_option("--segments", o.segments, "of each of its strands")->capture_default_str();
+  app.add_option("--size", o.size, "pixels a side")->capture_default_str()->check(CLI::Range(8, 4096));
+  app.add_option("--samples", o.samples, "rays a pixel in each half of the truth")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 65536));
+  app.add_option("--rounds", o.rounds, "of time, interleaved")->capture_default_str()->check(CLI::Range(1, 1000));
+  app.add_option("--threads", o.threads, "of both")->capture_default_str()->check(CLI::Range(1, 1024));
+  app.add_option("--out", o.out, "the folder of pictures")->capture_default_str();
+  int status = 0;
+  const auto add = [&](const char* name, const char* what, std::function<void()> print) {
+    app.add_subcommand(name, what)->callback([&o, print = std::move(print)] {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, o.threads);
+      print();
+    });
   };
-  const subject s = built_in(o.strands, o.segments, o.size, o.samples);
-  lap("model");
-  const coverage_error c = measure_coverage(s);
-  fmt::print("summed coverage {:+.3f} %, alpha bias {:+.5f}, alpha RMS {:.5f} +- {:.5f}\n", 100 * c.entries,
-             c.alpha_bias, c.alpha.rms(), c.alpha.rms_noise());
-  lap("coverage");
-  const frame::stage set = frame::set_up(s.model, s.settings);
-  const fibre_rays fibres(set.fibres);
-  lap("BVH");
-  const lighting scene(set, fibres);
-  const shadow_judge judge(scene, 2);
-  lap("true shadows");
-  for (const char* method : {"k_buffer", "exact"}) {
-    frame::frame_settings settings = s.settings;
-    settings.shadow = frame::parse_shadow(method);
-    const light_errors errors = judge.judge(settings);
-    for (std::size_t i = 0; i < errors.fibres.size(); ++i) {
-      fmt::print("{} light {}: fibres {:+.2f} % of {:.4f}, RMS {:.4f}; solids {:+.2f} % of {:.4f}, RMS {:.4f}\n",
-                 method, i + 1, 100 * errors.fibres[i].ratio, errors.fibres[i].mean_truth, errors.fibres[i].rms,
-                 100 * errors.opaque[i].ratio, errors.opaque[i].mean_truth, errors.opaque[i].rms);
-    }
-  }
-  lap("maps");
-  const picture truth = see(scene, s.samples, 1);
-  lap("truth");
-  for (const bool shadows : {true, false}) {
-    frame::frame_settings settings = s.settings;
-    settings.shown = shadows ? frame::components::full : frame::components::translucency;
-    const frame_error error = compare(draw(s, settings), truth, shadows ? &half_pixel::full : &half_pixel::lit);
-    fmt::print("{}: RMS {:.5f} +- {:.5f} largest {:.3f}", shadows ? "full" : "view", error.all.rms(),
-               error.all.rms_noise(), error.largest);
-    for (std::size_t r = 0; r < region_names.size(); ++r)
-      fmt::print("; {}: {:.5f} ({:.0f} % of pixels, {:.0f} % of error)", region_names[r], error.in[r].rms(),
-                 100.0 * static_cast<double>(error.in[r].count) / static_cast<double>(error.all.count),
-                 100.0 * error.in[r].sum / error.all.sum);
-    fmt::print("\n");
-  }
-  lap("frames");
+  add("coverage", "summed coverage and alpha", [&] { print_coverage(o.chosen()); });
+  add("fibre", "a lone upright fibre's coverage", [] { print_lone_fibres(); });
+  add("transmittance", "each light at the places seen", [&] { print_transmittance(o.chosen()); });
+  add("frame", "the frame's RMS, by part and by choice", [&] { print_frame(o.chosen()); });
+  add("ball", "the frame's RMS where a ball stands before dense hair", [&] { print_ball(o); });
+  add("time", "seconds of rays for the frame's RMS", [&] { print_times(timed(o.samples), o.rounds); });
+  add("gates", "whether the frame keeps its bounds; exits 1 if not", [&] { status = check_gates() ? 0 : 1; });
+  app.parse(argc, argv);
+  return status;
 }
 
 }  // namespace
 }  // namespace pelage::truth
 
 int main(int argc, char** argv) {
-  CLI::App app{"The frame renderer against rays."};
-  pelage::truth::options o;
-  app.add_option("--strands", o.strands)->capture_default_str();
-  app.add_option("--segments", o.segments)->capture_default_str();
-  app.add_option("--size", o.size)->capture_default_str();
-  app.add_option("--samples", o.samples)->capture_default_str();
+  CLI::App app{"The frame renderer against rays through the same fibres."};
   try {
-    app.parse(argc, argv);
-    pelage::truth::run(o);
+    return pelage::truth::run(app, argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const std::exception& error) {
     fmt::print(stderr, "pelage-truth: {}\n", pelage::frame::printable(error.what()));
     return 2;
   }
-  return 0;
 }

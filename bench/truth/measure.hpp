@@ -1,47 +1,64 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <string>
 #include <vector>
 
 #include "frame/frame.hpp"
 #include "frame/stage.hpp"
 #include "truth/error.hpp"
+#include "truth/subjects.hpp"
 #include "truth/transmittance.hpp"
 
 namespace pelage::truth {
 
-/// What a measurement is made of: a model, how it is drawn, and by how many rays it is judged.
-struct subject {
-  frame::hair_model model;
-  frame::frame_settings settings;
-  int samples = 64;  ///< rays a pixel in each half of the truth
+[[nodiscard]] frame::frame_result draw(const subject& s, const frame::frame_settings& settings);
+
+/// A subject's fibres and lights, by rays, and what those see.
+class judge {
+ public:
+  /// O(pixels · samples) rays. `s` must outlive it.
+  explicit judge(const subject& s);
+
+  /// A way to draw the subject against the truth, with shadows or without as it says.
+  [[nodiscard]] frame_error error_of(const frame::frame_settings& settings) const;
+  [[nodiscard]] frame_error error_of(const frame::image& drawn, frame::components shown) const;
+
+  [[nodiscard]] const lighting& scene() const { return scene_; }
+  [[nodiscard]] const picture& truth() const { return truth_; }
+
+ private:
+  const subject& subject_;
+  frame::stage set_;
+  fibre_rays fibres_;
+  lighting scene_;
+  picture truth_;
 };
 
-/// The built-in model at a size, as pelage-frame draws it by default.
-[[nodiscard]] subject built_in(std::uint32_t strands, std::uint32_t segments, int size, int samples);
-
-[[nodiscard]] frame::image draw(const subject& s, const frame::frame_settings& settings);
-
-/// Coverage without opaque objects, opacity ½.
+/// Coverage without opaque objects.
 struct coverage_error {
   double entries = 0;  ///< summed coverage / fibres met - 1
   double alpha_bias = 0;
   squared_error alpha;
 };
-[[nodiscard]] coverage_error measure_coverage(const subject& s);
+[[nodiscard]] coverage_error measure_coverage(const subject& s, float opacity);
 
-/// Transmittances at the places seen, [light], by one way to make maps.
-struct light_errors {
-  std::vector<shadow_error> fibres, opaque;
+/// Straight upright fibres: the sum of a fibre's coverage over the pixels across it, in its widths, and each pixel's.
+struct fibre_error {
+  double least = 0, mean = 0, greatest = 0;  ///< over the places in a pixel; by rays all are 1
+  double rms = 0;                            ///< of a pixel's coverage, in the fibre's widths
 };
-/// Rays and places of a subject, for any number of maps.
+[[nodiscard]] fibre_error measure_lone_fibres(double radius, int samples);
+
+/// Maps against rays at the places seen.
 class shadow_judge {
  public:
-  /// `samples`: rays a pixel whose places are taken.
-  shadow_judge(const lighting& scene, int samples)
-      : set_(scene.set()), places_(places_seen(scene, samples, 3)), truth_(shadows_at(scene, places_)) {}
-  [[nodiscard]] light_errors judge(const frame::frame_settings& settings) const;
+  /// `samples`: rays a pixel whose places are taken. The scene must outlive it.
+  shadow_judge(const lighting& scene, int samples);
+
+  struct errors {
+    std::vector<shadow_error> fibres, opaque;  ///< by light
+  };
+  [[nodiscard]] errors errors_of(const frame::frame_settings& settings) const;
 
  private:
   const frame::stage& set_;

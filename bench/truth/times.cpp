@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "truth/draws.hpp"
+#include "truth/tables.hpp"
+
+namespace pelage::truth {
+namespace {
+
+constexpr int most_samples = 4096;
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+template <class Work>
+double seconds_of(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Samples whose mean has a mean square error: between two numbers of samples the error is taken to fall as a power.
+struct error_at {
+  double samples;
+  double square;
+};
+double samples_for(double square, const error_at& before, const error_at& after) {
+  const double slope = std::log(after.square / before.square) / std::log(after.samples / before.samples);
+  return before.samples * std::pow(square / before.square, 1.0 / slope);
+}
+
+struct timing {
+  double frame_seconds;
+  double sample_seconds;
+  double samples;
+};
+
+/// Frames and samples in turns, twice as many samples each round, until the error is below the frame's.
+timing race(const subject& s, const judge& rays, double frame_square, int rounds) {
+  drawn_by_rays drawn(rays.scene());
+  std::vector<double> frame_seconds;
+  std::vector<double> sample_seconds;
+  std::vector<error_at> errors;
+  for (int round = 0; round < rounds || errors.back().square > frame_square; ++round) {
+    if (drawn.samples() >= most_samples) break;
+    frame_seconds.push_back(seconds_of([&] { (void)draw(s, s.settings); }));
+    const int samples = std::max(1, drawn.samples());
+    const double seconds = seconds_of([&] { drawn.add(samples); });
+    sample_seconds.push_back(seconds / samples);
+    errors.push_back(
+        {static_cast<double>(drawn.samples()), rays.error_of(drawn.mean(), frame::components::full).all.mean_square()});
+  }
+  const auto reached =
+      std::find_if(errors.begin() + 1, errors.end() - 1, [&](const error_at& e) { return e.square <= frame_square; });
+  return {median(frame_seconds), median(sample_seconds), samples_for(frame_square, *(reached - 1), *reached)};
+}
+
+}  // namespace
+
+void print_times(const std::vector<subject>& subjects, int rounds) {
+  fmt::print("Seconds for the frame's RMS, medians, interleaved; Embree's hierarchy apart:\n\n");
+  fmt::print(
+      "| strands | size | frame's RMS | frame, s | samples a pixel | a sample, s | rays, s | rays / frame | "
+      "hierarchy, s |\n");
+  fmt::print("| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+  for (const subject& s : subjects) {
+    const judge rays(s);
+    const squared_error error = rays.error_of(s.settings).all;
+    const timing t = race(s, rays, error.mean_square(), std::max(rounds, 3));
+    const double seconds = t.samples * t.sample_seconds;
+    fmt::print("| {} | {} | {:.5f} | {:.3f} | {:.1f} | {:.3f} | {:.2f} | {:.1f}× | {:.2f} |\n", s.model.strand_count(),
+               s.settings.width, error.rms(), t.frame_seconds, t.samples, t.sample_seconds, seconds,
+               seconds / t.frame_seconds, rays.scene().fibres().build_seconds());
+    std::fflush(stdout);
+  }
+  fmt::print("\n");
+}
+
+}  // namespace pelage::truth
