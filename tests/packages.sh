@@ -8,6 +8,7 @@ pelage_frame_packages=(g++ cmake ninja-build libglm-dev libcli11-dev libfmt-dev 
 pelage_test_packages=("${pelage_frame_packages[@]}" doctest-dev librapidcheck-dev libboost-context-dev python3
   glslang-tools glslc spirv-tools libclang-14-dev llvm-14-dev libvulkan-dev mesa-vulkan-drivers
   vulkan-validationlayers)
+pelage_truth_packages=("${pelage_frame_packages[@]}" libembree-dev)
 pelage_clang_packages=("${pelage_test_packages[@]}" clang libclang-rt-14-dev)
 pelage_style_packages=("${pelage_test_packages[@]}" clang-format clang-tidy)
 

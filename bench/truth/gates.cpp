@@ -79,7 +79,7 @@ void check_ball(gates& g) {
 
 bool check_gates() {
   gates g;
-  const subject s = built_in(5000, 48, 160, 24);
+  const subject s = built_in(5000, 48, 160, 32);
   check_coverage(g, s);
   check_fibre(g);
   const judge rays(s);

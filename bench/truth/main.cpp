@@ -12,6 +12,7 @@
 
 #include "frame/base/output_file.hpp"
 #include "truth/gates.hpp"
+#include "truth/pictures.hpp"
 #include "truth/tables.hpp"
 
 namespace pelage::truth {
@@ -69,7 +70,15 @@ int run(CLI::App& app, int argc, char** argv) {
   add("fibre", "a lone upright fibre's coverage", [] { print_lone_fibres(); });
   add("transmittance", "each light at the places seen", [&] { print_transmittance(o.chosen()); });
   add("frame", "the frame's RMS, by part and by choice", [&] { print_frame(o.chosen()); });
+  add("split", "the same by part alone", [&] {
+    const subject s = o.chosen();
+    print_split(s, judge(s));
+  });
   add("ball", "the frame's RMS where a ball stands before dense hair", [&] { print_ball(o); });
+  add("pictures", "both pictures of hair and of the ball before hair", [&] {
+    save_pictures(o.chosen(), o.out, "hair");
+    save_pictures(ball_before_hair(o.size, o.samples), o.out, "ball");
+  });
   add("time", "seconds of rays for the frame's RMS", [&] { print_times(timed(o.samples), o.rounds); });
   add("gates", "whether the frame keeps its bounds; exits 1 if not", [&] { status = check_gates() ? 0 : 1; });
   app.parse(argc, argv);
