@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <ctime>
 
 #include "truth/draws.hpp"
 #include "truth/tables.hpp"
@@ -19,11 +21,29 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// Seconds by the clock, and of all threads' work: the second hardly depends on what else the machine does.
+struct spent {
+  double seconds;
+  double processor_seconds;
+};
+
 template <class Work>
-double seconds_of(const Work& work) {
+spent time_spent(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t worked = std::clock();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+          static_cast<double>(std::clock() - worked) / static_cast<double>(CLOCKS_PER_SEC)};
+}
+
+spent median(const std::vector<spent>& all) {
+  std::vector<double> seconds;
+  std::vector<double> processor_seconds;
+  for (const spent& s : all) {
+    seconds.push_back(s.seconds);
+    processor_seconds.push_back(s.processor_seconds);
+  }
+  return {median(seconds), median(processor_seconds)};
 }
 
 /// Samples whose mean has a mean square error: between two numbers of samples the error is taken to fall as a power.
@@ -37,29 +57,29 @@ double samples_for(double square, const error_at& before, const error_at& after)
 }
 
 struct timing {
-  double frame_seconds;
-  double sample_seconds;
+  spent frame;
+  spent sample;
   double samples;
 };
 
 /// Frames and samples in turns, twice as many samples each round, until the error is below the frame's.
 timing race(const subject& s, const judge& rays, double frame_square, int rounds) {
   drawn_by_rays drawn(rays.scene());
-  std::vector<double> frame_seconds;
-  std::vector<double> sample_seconds;
+  std::vector<spent> frames;
+  std::vector<spent> draws;
   std::vector<error_at> errors;
   for (int round = 0; round < rounds || errors.back().square > frame_square; ++round) {
     if (drawn.samples() >= most_samples) break;
-    frame_seconds.push_back(seconds_of([&] { (void)draw(s, s.settings); }));
+    frames.push_back(time_spent([&] { (void)draw(s, s.settings); }));
     const int samples = std::max(1, drawn.samples());
-    const double seconds = seconds_of([&] { drawn.add(samples); });
-    sample_seconds.push_back(seconds / samples);
+    const spent all = time_spent([&] { drawn.add(samples); });
+    draws.push_back({all.seconds / samples, all.processor_seconds / samples});
     errors.push_back(
         {static_cast<double>(drawn.samples()), rays.error_of(drawn.mean(), frame::components::full).all.mean_square()});
   }
   const auto reached =
       std::find_if(errors.begin() + 1, errors.end() - 1, [&](const error_at& e) { return e.square <= frame_square; });
-  return {median(frame_seconds), median(sample_seconds), samples_for(frame_square, *(reached - 1), *reached)};
+  return {median(frames), median(draws), samples_for(frame_square, *(reached - 1), *reached)};
 }
 
 }  // namespace
@@ -67,17 +87,19 @@ timing race(const subject& s, const judge& rays, double frame_square, int rounds
 void print_times(const std::vector<subject>& subjects, int rounds) {
   fmt::print("Seconds for the frame's RMS, medians, interleaved; Embree's hierarchy apart:\n\n");
   fmt::print(
-      "| strands | size | frame's RMS | frame, s | samples a pixel | a sample, s | rays, s | rays / frame | "
-      "hierarchy, s |\n");
-  fmt::print("| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+      "| strands | size | frame's RMS | frame, s | samples a pixel | a sample, s | rays, s | rays / frame | by "
+      "processor "
+      "time | hierarchy, s |\n");
+  fmt::print("| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
   for (const subject& s : subjects) {
     const judge rays(s);
     const squared_error error = rays.error_of(s.settings).all;
     const timing t = race(s, rays, error.mean_square(), std::max(rounds, 3));
-    const double seconds = t.samples * t.sample_seconds;
-    fmt::print("| {} | {} | {:.5f} | {:.3f} | {:.1f} | {:.3f} | {:.2f} | {:.1f}× | {:.2f} |\n", s.model.strand_count(),
-               s.settings.width, error.rms(), t.frame_seconds, t.samples, t.sample_seconds, seconds,
-               seconds / t.frame_seconds, rays.scene().fibres().build_seconds());
+    fmt::print("| {} | {} | {:.5f} | {:.3f} | {:.1f} | {:.3f} | {:.2f} | {:.1f}× | {:.1f}× | {:.2f} |\n",
+               s.model.strand_count(), s.settings.width, error.rms(), t.frame.seconds, t.samples, t.sample.seconds,
+               t.samples * t.sample.seconds, t.samples * t.sample.seconds / t.frame.seconds,
+               t.samples * t.sample.processor_seconds / t.frame.processor_seconds,
+               rays.scene().fibres().build_seconds());
     std::fflush(stdout);
   }
   fmt::print("\n");
