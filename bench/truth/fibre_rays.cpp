@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
-#include <span>
 #include <stdexcept>
 
 namespace pelage::truth {
@@ -21,6 +21,7 @@ struct query {
   const frame::strands* fibres;
   std::uint32_t own = fibre_rays::nobody;
   std::vector<fibre_hit>* met = nullptr;
+  double speed = 1;  ///< the length of the ray's direction
   double passed = 1;
   frame::random_stream* random = nullptr;
 };
@@ -36,23 +37,32 @@ bool enters(const RTCRay& r, const RTCHit& h) {
   return h.Ng_x * r.dir_x + h.Ng_y * r.dir_y + h.Ng_z * r.dir_z < 0.0F;
 }
 
-/// The entry that Embree asks about, if it counts: not the ray's own fibre, nor met before at a joint.
+/// The entry that Embree asks about, unless it is the ray's own fibre.
 std::optional<fibre_hit> entry_of(const RTCFilterFunctionNArguments* asked) {
   const query& q = *reinterpret_cast<const query*>(asked->context);
   const RTCRay& r = *reinterpret_cast<const RTCRay*>(asked->ray);
   const RTCHit& h = *reinterpret_cast<const RTCHit*>(asked->hit);
   if (!enters(r, h)) return std::nullopt;
   if (q.own != fibre_rays::nobody && adjacent(*q.fibres, q.own, h.primID)) return std::nullopt;
-  const fibre_hit found{static_cast<double>(r.tfar), h.primID, std::clamp(h.u, 0.0F, 1.0F)};
-  if (q.met == nullptr) return found;
-  const float speed = std::sqrt(r.dir_x * r.dir_x + r.dir_y * r.dir_y + r.dir_z * r.dir_z);
-  const double gap = static_cast<double>(4.0F * q.fibres->mix(q.fibres->radius, h.primID, found.along) / speed);
-  for (fibre_hit& before : *q.met) {
-    if (!adjacent(*q.fibres, before.segment, h.primID) || std::abs(before.distance - found.distance) > gap) continue;
-    if (found.distance < before.distance) before = found;
-    return std::nullopt;
+  return fibre_hit{static_cast<double>(r.tfar), h.primID, std::clamp(h.u, 0.0F, 1.0F)};
+}
+
+/// The distance along the ray within which entries round a joint are one.
+double joint_reach(const frame::strands& fibres, const fibre_hit& h, double speed) {
+  return 4.0 * static_cast<double>(fibres.mix(fibres.radius, h.segment, h.along)) / speed;
+}
+
+/// Removes entries that follow one of the same fibre round a joint. `met`: nearest first.
+void unite_joints(const frame::strands& fibres, double speed, std::vector<fibre_hit>& met) {
+  std::size_t kept = 0;
+  for (const fibre_hit& h : met) {
+    const double from = h.distance - joint_reach(fibres, h, speed);
+    bool known = false;
+    for (std::size_t i = kept; i > 0 && met[i - 1].distance >= from && !known; --i)
+      known = adjacent(fibres, met[i - 1].segment, h.segment);
+    if (!known) met[kept++] = h;
   }
-  return found;
+  met.resize(kept);
 }
 
 // Filters refuse every hit, so that Embree goes on, or accept one and it stops there.
@@ -66,11 +76,16 @@ void collect(const RTCFilterFunctionNArguments* asked) {
 void attenuate(const RTCFilterFunctionNArguments* asked) {
   query& q = *reinterpret_cast<query*>(asked->context);
   asked->valid[0] = 0;
-  if (const auto found = entry_of(asked)) {
-    q.met->push_back(*found);
-    q.passed *= 1.0 - static_cast<double>(q.fibres->mix(q.fibres->opacity, found->segment, found->along));
-    if (q.passed < least_transmittance) asked->valid[0] = -1;
-  }
+  const auto found = entry_of(asked);
+  if (!found) return;
+  const double reach = joint_reach(*q.fibres, *found, q.speed);
+  const bool known = std::any_of(q.met->begin(), q.met->end(), [&](const fibre_hit& h) {
+    return std::abs(h.distance - found->distance) <= reach && adjacent(*q.fibres, h.segment, found->segment);
+  });
+  if (known) return;
+  q.met->push_back(*found);
+  q.passed *= 1.0 - static_cast<double>(q.fibres->mix(q.fibres->opacity, found->segment, found->along));
+  if (q.passed < least_transmittance) asked->valid[0] = -1;
 }
 
 void draw(const RTCFilterFunctionNArguments* asked) {
@@ -168,6 +183,7 @@ void fibre_rays::find(const ray& r, std::vector<fibre_hit>& met) const {
   RTCRay to = ray_of(r);
   rtcOccluded1(embree_->scene, &q.context, &to);
   std::sort(met.begin(), met.end(), [](const fibre_hit& a, const fibre_hit& b) { return a.distance < b.distance; });
+  unite_joints(fibres_, glm::length(r.direction), met);
 }
 
 double fibre_rays::transmittance(const ray& r, std::uint32_t own) const {
@@ -175,6 +191,7 @@ double fibre_rays::transmittance(const ray& r, std::uint32_t own) const {
   met.clear();
   query q = ask(fibres_, attenuate);
   q.met = &met;
+  q.speed = glm::length(r.direction);
   q.own = own;
   RTCRay to = ray_of(r);
   rtcOccluded1(embree_->scene, &q.context, &to);

@@ -47,7 +47,7 @@ void check_fibre(gates& g) {
 }
 
 void check_light(gates& g, const subject& s, const lighting& scene) {
-  const shadow_judge rays(scene, 2);
+  const shadow_judge rays(scene, 16);
   frame::frame_settings settings = s.settings;
   settings.shadow = frame::parse_shadow("exact");
   const shadow_judge::errors e = rays.errors_of(settings);

@@ -83,7 +83,7 @@ ray_sum look_along(const lighting& scene, const ray& r, const opaque_hit& behind
     const auto alpha = static_cast<double>(scene.fibres().opacity(h));
     passed *= 1.0 - alpha;
     if (weight == 0.0) continue;
-    if (weight < 0.02) weight = random.unit() < 0.5F ? 0.0 : 2.0 * weight;
+    if (weight < 0.2) weight = random.unit() < 0.5F ? 0.0 : 2.0 * weight;
     if (weight * alpha > 0.0) sum.colour += weight * alpha * scene.of(h, r, shadows);
     weight *= 1.0 - alpha;
   }

@@ -33,7 +33,7 @@ struct picture {
 };
 
 /// `samples`: rays a pixel in each half, [2, inf). All fibres on a ray count in order, each by its opacity; what is
-/// left behind 1/50 is carried on by chance, unbiased. The encoded means are less their noise's bias, ½ f″ σ².
+/// left below 1/5 is carried on by chance, unbiased. The encoded means are less their noise's bias, ½ f″ σ².
 [[nodiscard]] picture see(const lighting& scene, int samples, std::uint64_t seed);
 
 /// Alpha and entries alone, of the fibres without opaque objects.

@@ -62,7 +62,7 @@ void print_transmittance(const subject& s) {
   const frame::stage set = frame::set_up(s.model, s.settings);
   const fibre_rays fibres(set.fibres);
   const lighting scene(set, fibres);
-  const shadow_judge rays(scene, 2);
+  const shadow_judge rays(scene, 4);
   fmt::print("Light at the places seen, map / rays - 1 (RMS of the difference at a place), {}:\n\n",
              name_of_subject(s));
   fmt::print("| --shadow | --map-size |");
