@@ -36,6 +36,13 @@ struct surface_hit {
   glm::vec<3, Real> normal;  ///< unit, outward, for shading: rounded over the seams between parts; or garbage
 };
 
+/// Where a ray first enters a part, in lengths of its direction; +inf: nowhere. Entries count that lie at most `within`
+/// of a part's first radius before the origin: with 0 the ray may start inside parts, with a little a ray from a point
+/// on a part's surface into it enters there, however the point was rounded. direction is not zero.
+template <class Real>
+[[nodiscard]] Real first_entry(std::span<const ellipsoid> parts, const glm::vec<3, Real>& origin,
+                               const glm::vec<3, Real>& direction, float within = 0.0F);
+
 /// The nearest entry of a ray into a union of ellipsoids, those that it starts inside not counted.
 /// direction is not zero.
 template <class Real>
@@ -58,8 +65,8 @@ template <class Real>
 }
 
 template <class Real>
-surface_hit<Real> hit_ellipsoids(std::span<const ellipsoid> parts, const glm::vec<3, Real>& origin,
-                                 const glm::vec<3, Real>& direction) {
+Real first_entry(std::span<const ellipsoid> parts, const glm::vec<3, Real>& origin, const glm::vec<3, Real>& direction,
+                 float within) {
   const Real zero(0.0F);
   const Real nowhere(std::numeric_limits<float>::infinity());
   Real nearest = nowhere;
@@ -71,10 +78,17 @@ surface_hit<Real> hit_ellipsoids(std::span<const ellipsoid> parts, const glm::ve
     const glm::vec<3, Real> closest = o - middle * d;
     const Real depth = Real(1.0F) - dot_product(closest, closest);
     const Real t = zero - middle - square_root(depth / a);
-    const Real entry = select(depth > zero, select(t > zero, t, nowhere), nowhere);
+    const Real entry = select(depth > zero, select(t > Real(-within * part.radii.x), t, nowhere), nowhere);
     nearest = least(entry, nearest);
   }
-  if (!holds_for_any(nearest < nowhere)) return {nearest, {}};
+  return nearest;
+}
+
+template <class Real>
+surface_hit<Real> hit_ellipsoids(std::span<const ellipsoid> parts, const glm::vec<3, Real>& origin,
+                                 const glm::vec<3, Real>& direction) {
+  const Real nearest = first_entry(parts, origin, direction);
+  if (!holds_for_any(nearest < Real(std::numeric_limits<float>::infinity()))) return {nearest, {}};
   return {nearest, shading_normal(parts, origin + nearest * direction)};
 }
 

@@ -5,6 +5,7 @@
 #include <pelage/core/vector_math.hpp>
 
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,13 @@ struct light {
   float cos_outer = 0;  ///< spot: cosine of the half angle where it ends,
   float cos_inner = 0;  ///< and where it begins to fade
 };
+
+/// How far a point lies from a placed light; of a directional one the greatest float.
+template <class Real>
+[[nodiscard]] Real distance_to(const light& placed, const glm::vec<3, Real>& at) {
+  if (placed.kind == light_kind::directional) return Real(std::numeric_limits<float>::max());
+  return vector_length(filled<Real>(placed.position) - at);
+}
 
 /// What arrives at a point from a light, shadows apart; at as many points as Real has lanes.
 template <class Real>

@@ -109,8 +109,11 @@ wide3 scene::solid_radiance(const wide3& position, const solid_hit<wide>& hit, s
     const wide facing = dot_product(hit.normal, in.to_light);
     wide passed(1.0F);
     if (l.shadow) {
-      const std::uint32_t lit_lanes = set & bits(facing > zero);
-      passed = l.shadow->passed_to(l.shadow->find_on_surfaces(position, hit.normal, facing, lit_lanes)).transmittance;
+      const auto open = distance_to(l.source, position) < opaque.free_way(position, in.to_light);
+      const std::uint32_t lit_lanes = set & bits(facing > zero) & bits(open);
+      const wide among_fibres =
+          l.shadow->passed_to(l.shadow->find_on_surfaces(position, hit.normal, lit_lanes)).transmittance;
+      passed = select(open, among_fibres, zero);
     }
     sum = sum + select(facing > zero, passed * facing * in.colour, wide3(zero));
   }

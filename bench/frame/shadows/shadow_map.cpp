@@ -14,10 +14,6 @@ constexpr float unit = 1.0F / 1048576.0F;  ///< of fixed-point sums, octaves or 
 
 constexpr float steepest = 64.0F;  ///< of receivers: up to there pixel coordinates give depths within 0.02 texels
 
-/// Of surfaces, in texels over facing: so far their shading normals' planes may lie from them, which seams round.
-constexpr float surface_bias = 0.5F;
-constexpr float least_facing = 0.2F;  ///< a shading normal may graze where the surface does not
-
 }  // namespace
 
 shadow_map::shadow_map(const raster& from, const solids& opaque, bool translucent)
@@ -40,18 +36,17 @@ shadow_map::spots shadow_map::find_on_fibres(const wide3& world, const wide3& ta
                                              std::uint32_t set) const {
   const wide3 seen = light_.to_view(world);
   const wide2 slope = line_depth_slope(ray_to(seen), light_.direction_to_view(tangent), wide(steepest));
-  return find(seen, slope, bias, set);
+  return find(seen, slope, bias, set, false);
 }
 
-shadow_map::spots shadow_map::find_on_surfaces(const wide3& world, const wide3& normal, wide facing,
-                                               std::uint32_t set) const {
+shadow_map::spots shadow_map::find_on_surfaces(const wide3& world, const wide3& normal, std::uint32_t set) const {
   const wide3 seen = light_.to_view(world);
   const wide2 slope = plane_depth_slope(ray_to(seen), light_.direction_to_view(normal), wide(steepest));
-  const wide bias = wide(surface_bias) * light_.pixel_at(seen) / greatest(facing, wide(least_facing));
-  return find(seen, slope, bias, set);
+  return find(seen, slope, wide(0.0F), set, true);
 }
 
-shadow_map::spots shadow_map::find(const wide3& seen, const wide2& slope, wide bias, std::uint32_t set) const {
+shadow_map::spots shadow_map::find(const wide3& seen, const wide2& slope, wide bias, std::uint32_t set,
+                                   bool among_fibres) const {
   const wide zero(0.0F);
   const wide depth = zero - seen.z - bias;
   const wide2 pixel = light_.to_pixel(seen);
@@ -74,7 +69,7 @@ shadow_map::spots shadow_map::find(const wide3& seen, const wide2& slope, wide b
   const wide growth_across = slope.x * light_.pixel_at(seen);
   const wide growth_down = zero - slope.y * light_.pixel_at(seen);
   const wide there = depth + (left + half - pixel.x) * growth_across + (above + half - pixel.y) * growth_down;
-  spots found{{}, inside, across - left, down - above, there, growth_across, growth_down};
+  spots found{{}, inside, across - left, down - above, there, growth_across, growth_down, among_fibres};
   for_each_lane(inside, [&](int k) {
     found.first[static_cast<std::size_t>(k)] =
         static_cast<std::uint32_t>(index(static_cast<int>(left.lane[k]), static_cast<int>(above.lane[k])));
@@ -104,7 +99,7 @@ wide3 shadow_map::passed_in(const spots& at, std::size_t offset, wide depth) con
     const bool hidden = depth.lane[k] > limit_[texel];
     octaves[k] = optical_before(texel, hidden ? std::numeric_limits<float>::infinity() : depth.lane[k]);
     per_octave[k] = fibres_per_octave_[texel];
-    open[k] = hidden ? 0.0F : 1.0F;
+    open[k] = hidden && !at.among_fibres ? 0.0F : 1.0F;
   });
   const wide sum = wide::load(octaves) * wide(unit);
   const wide left = wide::load(open);
@@ -124,7 +119,7 @@ passage_of<wide> shadow_map::passed_to(const spots& at) const {
 
 passage shadow_map::passed_to(const glm::vec3& world, float bias) const {
   const passage_of<wide> passed =
-      passed_to(find(light_.to_view(filled<wide>(world)), wide2(wide(0.0F)), wide(bias), 1U));
+      passed_to(find(light_.to_view(filled<wide>(world)), wide2(wide(0.0F)), wide(bias), 1U, false));
   return {passed.transmittance.lane[0], passed.fibres.lane[0], passed.open.lane[0]};
 }
 

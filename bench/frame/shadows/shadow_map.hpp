@@ -48,14 +48,16 @@ class shadow_map {
     wide across, down;                            ///< where between the texels' centres, [0, 1]
     wide depth;                                   ///< of the receiver in the upper left texel,
     wide growth_across, growth_down;              ///< and how much deeper it lies in the next ones
+    bool among_fibres;                            ///< objects stop no light there: their own surfaces
   };
 
   /// Of the positions whose bits are set. They lie on fibres along `tangent`: in each texel only what lies `bias`
   /// before the fibre's own depth there counts, so that it does not shadow itself.
   [[nodiscard]] spots find_on_fibres(const wide3& world, const wide3& tangent, wide bias, std::uint32_t set) const;
 
-  /// The same on surfaces with a unit normal, that of a tangent plane. `facing`: its cosine to the light, (0, 1].
-  [[nodiscard]] spots find_on_surfaces(const wide3& world, const wide3& normal, wide facing, std::uint32_t set) const;
+  /// The same on opaque objects' surfaces with a unit normal, without what the objects themselves hide: the four texels
+  /// know of it too little to tell a surface from the one beside it.
+  [[nodiscard]] spots find_on_surfaces(const wide3& world, const wide3& normal, std::uint32_t set) const;
 
   /// Asks the processor to load what passed_to() will read. What lies behind a pointer needs two steps: call it for
   /// many positions with step 0, then for all of them with step 1.
@@ -95,7 +97,8 @@ class shadow_map {
 
  private:
   /// Positions in the light's view, each with the slope of what it lies on.
-  [[nodiscard]] spots find(const wide3& seen, const wide2& slope, wide bias, std::uint32_t set) const;
+  [[nodiscard]] spots find(const wide3& seen, const wide2& slope, wide bias, std::uint32_t set,
+                           bool among_fibres) const;
 
   /// What light passes to each spot in one of its four texels: transmittance, fibres, open.
   [[nodiscard]] wide3 passed_in(const spots& at, std::size_t offset, wide depth) const;

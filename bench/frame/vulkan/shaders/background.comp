@@ -19,7 +19,11 @@ vec3 solid_radiance(vec3 position, vec3 normal) {
     const arrival light = light_at(l, position);
     const float facing = dot(normal, light.to_light);
     if (facing > 0.0) {
-      const float passed = scene.shadows ? transmittance_to_surface(l, position, normal, facing) : 1.0;
+      float passed = 1.0;
+      if (scene.shadows) {
+        const bool open = distance_to(l, position) < free_way(position, light.to_light);
+        passed = open ? transmittance_to_surface(l, position, normal) : 0.0;
+      }
       sum += passed * facing * light.colour;
     }
   }

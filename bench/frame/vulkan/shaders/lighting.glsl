@@ -35,8 +35,11 @@ arrival light_at(uint l, vec3 at) {
 
 // As bench/frame/shadows/shadow_map.cpp has them.
 const float steepest = 64.0;
-const float surface_bias = 0.5;
-const float least_facing = 0.2;
+
+/// How far a position lies from a light; of a directional one the greatest float.
+float distance_to(uint l, vec3 at) {
+  return scene.lights[l].kind == 0u ? 3.40282347e38 : length(scene.lights[l].position - at);
+}
 
 /// The way of a light through a position in its view.
 vec3 ray_to(uint l, vec3 p) {
@@ -44,8 +47,8 @@ vec3 ray_to(uint l, vec3 p) {
 }
 
 /// The share of a light that reaches a position in its view: four texels, weighted bilinearly, each up to the depth of
-/// a receiver with this slope there.
-float transmittance_to(uint l, vec3 p, vec2 slope, float bias) {
+/// a receiver with this slope there. `among_fibres`: objects stop nothing.
+float transmittance_to(uint l, vec3 p, vec2 slope, float bias, bool among_fibres) {
   const float depth = -p.z - bias;
   if (depth <= scene.views[l].near_plane) {
     return 1.0;
@@ -61,7 +64,8 @@ float transmittance_to(uint l, vec3 p, vec2 slope, float bias) {
   const uint below = first + uint(size.x);
   const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
   const float there = depth - dot(weight, growth);
-  const vec4 passed = transmittance_in(first, below, there + vec4(0.0, growth.x, growth.y, growth.x + growth.y));
+  const vec4 depths = there + vec4(0.0, growth.x, growth.y, growth.x + growth.y);
+  const vec4 passed = transmittance_in(first, below, depths, among_fibres);
   const float top = mix(passed.x, passed.y, weight.x);
   const float bottom = mix(passed.z, passed.w, weight.x);
   return mix(top, bottom, weight.y);
@@ -70,14 +74,14 @@ float transmittance_to(uint l, vec3 p, vec2 slope, float bias) {
 float transmittance_to_fibre(uint l, vec3 world, vec3 tangent, float radius) {
   const vec3 p = to_view(l, world);
   const vec2 slope = pelage_line_depth_slope(ray_to(l, p), direction_to_view(l, tangent), steepest);
-  return transmittance_to(l, p, slope, 2.0 * radius);
+  return transmittance_to(l, p, slope, 2.0 * radius, false);
 }
 
-/// `facing`: cosine of the light to the normal, (0, 1].
-float transmittance_to_surface(uint l, vec3 world, vec3 normal, float facing) {
+/// The same of a point on an object's surface, without what objects hide.
+float transmittance_to_surface(uint l, vec3 world, vec3 normal) {
   const vec3 p = to_view(l, world);
   const vec2 slope = pelage_plane_depth_slope(ray_to(l, p), direction_to_view(l, normal), steepest);
-  return transmittance_to(l, p, slope, surface_bias * pixel_at(l, p) / max(facing, least_facing));
+  return transmittance_to(l, p, slope, 0.0, true);
 }
 
 #endif

@@ -11,8 +11,8 @@ float entry_depth(uint i) {
 }
 
 /// What a texel lets through whose `before` first entries lie before a depth.
-float transmittance_behind(texel t, uint before, float depth) {
-  if (depth > t.limit) {
+float transmittance_behind(texel t, uint before, float depth, bool among_fibres) {
+  if (!among_fibres && depth > t.limit) {
     return 0.0;
   }
   if (before < t.held) {
@@ -31,7 +31,7 @@ float transmittance_behind(texel t, uint before, float depth) {
 
 /// What a square of four texels lets through, by rows, each up to its depth. All four are searched at once: a search
 /// waits for each of its loads, and so four wait together. Behind a texel's last entry there is nothing to search.
-vec4 transmittance_in(uint pixel, uint below, vec4 depth) {
+vec4 transmittance_in(uint pixel, uint below, vec4 depth, bool among_fibres) {
   texel square[4] = texel[4](texel_in(pixel), texel_in(pixel + 1u), texel_in(below), texel_in(below + 1u));
   uvec4 before;
   uint most = 0u;
@@ -52,7 +52,7 @@ vec4 transmittance_in(uint pixel, uint below, vec4 depth) {
   }
   vec4 passed;
   for (int t = 0; t < 4; ++t) {
-    passed[t] = transmittance_behind(square[t], before[t], depth[t]);
+    passed[t] = transmittance_behind(square[t], before[t], depth[t], among_fibres);
   }
   return passed;
 }

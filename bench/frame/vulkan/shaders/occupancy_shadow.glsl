@@ -6,8 +6,8 @@
 #include "occupancy.glsl"
 #include "pelage/glsl/composite/optical_depth.glsl"
 
-float transmittance_at(uint texel, float depth) {
-  if (depth > limits[texel]) {
+float transmittance_at(uint texel, float depth, bool among_fibres) {
+  if (!among_fibres && depth > limits[texel]) {
     return 0.0;
   }
   const occupancy o = load_occupancy(texel);
@@ -16,9 +16,9 @@ float transmittance_at(uint texel, float depth) {
 }
 
 /// Of a square of four texels, by rows, each up to its depth.
-vec4 transmittance_in(uint pixel, uint below, vec4 depth) {
-  return vec4(transmittance_at(pixel, depth.x), transmittance_at(pixel + 1u, depth.y),
-              transmittance_at(below, depth.z), transmittance_at(below + 1u, depth.w));
+vec4 transmittance_in(uint pixel, uint below, vec4 depth, bool among_fibres) {
+  return vec4(transmittance_at(pixel, depth.x, among_fibres), transmittance_at(pixel + 1u, depth.y, among_fibres),
+              transmittance_at(below, depth.z, among_fibres), transmittance_at(below + 1u, depth.w, among_fibres));
 }
 
 #endif

@@ -10,8 +10,9 @@ struct solid_hit {
   bool is_floor;
 };
 
-solid_hit hit_solids(vec3 origin, vec3 direction) {
-  solid_hit nearest = solid_hit(uintBitsToFloat(0x7f800000u), false);
+/// Where a ray first enters a part. Entries count that lie at most `within` of a part's first radius before the origin.
+float first_entry(vec3 origin, vec3 direction, float within) {
+  float nearest = uintBitsToFloat(0x7f800000u);
   for (uint i = 0u; i < scene.part_count; ++i) {
     const vec3 o = (origin - scene.parts[i].centre) / scene.parts[i].radii;
     const vec3 d = direction / scene.parts[i].radii;
@@ -21,18 +22,30 @@ solid_hit hit_solids(vec3 origin, vec3 direction) {
     const float depth = 1.0 - dot(closest, closest);
     if (depth > 0.0) {
       const float t = -half_b / a - sqrt(depth / a);
-      if (t > 0.0 && t < nearest.distance) {
-        nearest.distance = t;
+      if (t > -within * scene.parts[i].radii.x) {
+        nearest = min(nearest, t);
       }
     }
   }
-  if (scene.has_floor && direction.y < 0.0 && origin.y > scene.floor_height) {
-    const float distance = (scene.floor_height - origin.y) / direction.y;
-    if (distance < nearest.distance) {
-      nearest = solid_hit(distance, true);
-    }
-  }
   return nearest;
+}
+
+/// Down to the floor; infinite for a ray that does not get there.
+float fall(vec3 origin, vec3 direction) {
+  const bool falls = scene.has_floor && direction.y < 0.0 && origin.y > scene.floor_height;
+  return falls ? (scene.floor_height - origin.y) / direction.y : uintBitsToFloat(0x7f800000u);
+}
+
+solid_hit hit_solids(vec3 origin, vec3 direction) {
+  const float entry = first_entry(origin, direction, 0.0);
+  const float below = fall(origin, direction);
+  return below < entry ? solid_hit(below, true) : solid_hit(entry, false);
+}
+
+/// The length of the unobstructed way from a point on an object's surface; about 0 or less for a direction into it.
+float free_way(vec3 surface, vec3 direction) {
+  const float rounding = 2e-3;  // as bench/frame/scene/solids.hpp has it
+  return min(first_entry(surface, direction, rounding), fall(surface, direction));
 }
 
 /// The normals of the parts whose surfaces pass close to p, weighted by nearness.
