@@ -78,9 +78,7 @@ class lobe_model {
     const double cosine = std::cos(0.5 * (theta_r - settings_.theta_i));
     std::vector<glm::dvec3> lobes;
     for (std::size_t p = 0; p < 3; ++p) {
-      const std::array<double, 3>& n = result.azimuthal[p];
-      lobes.push_back(0.5 * std::cos(theta_r) * result.longitudinal[p] / (cosine * cosine) *
-                      glm::dvec3(n[0], n[1], n[2]));
+      lobes.push_back(0.5 * std::cos(theta_r) * result.longitudinal[p] / (cosine * cosine) * result.azimuthal[p]);
     }
     return lobes;
   }

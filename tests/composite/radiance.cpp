@@ -50,7 +50,7 @@ TEST_CASE("an empty pixel shows the background") {
   CHECK(resolve(empty_pixel<float>(), glm::vec3(0.1f, 0.2f, 0.3f)) == glm::vec3(0.1f, 0.2f, 0.3f));
 }
 
-TEST_CASE("fibres added front to back give the sum of Yu12 Eq. 5") {
+TEST_CASE("fibres added front to back give the sum of Yu12 Eq. 5, each weighed by what it stops") {
   holds("each by what passes those before it, in double", [] {
     const std::vector<lit_fibre> fibres = draw_fibres();
     const glm::vec3 background = draw_colour();

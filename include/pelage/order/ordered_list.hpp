@@ -9,8 +9,8 @@
 #include <cstdint>
 
 /// Sorted per-pixel lists that many threads build at once, readable while they grow. [Yu12 §5.2, whose text has the
-/// compare-exchange return the new value where it succeeds: its algorithm needs the one found, as here; a list ends with
-/// no_node() in the place of a node of depth 1]
+/// compare-exchange return the new value where it succeeds: its algorithm needs the one found, as here; a list ends
+/// with no_node() in the place of a node of depth 1]
 ///
 /// Keeps the total order in the links themselves; what finds the pool full, or lies behind `limit` nearer ones,
 /// comes back. Once all inserts are done a list holds the same sequence for every interleaving, or with a limit begins

@@ -16,8 +16,8 @@ namespace pelage::inline PELAGE_ABI::slice_sort {
   return static_cast<std::uint32_t>(position > 0.0f ? (position < last ? position : last) : 0.0f);
 }
 
-/// The slice of a segment, [0, slices): that of its farther end. `first`, `second`: slice_position() of its ends,
-/// [0, slices]; the end of the last slice belongs to it. NaN counts as 0.
+/// The slice of a segment, [0, slices): that of its farther end [Svoboda §1.3.3]. `first`, `second`: slice_position()
+/// of its ends, [0, slices]; the end of the last slice belongs to it. NaN counts as 0.
 [[nodiscard]] constexpr std::uint32_t slice_of(float first, float second, std::uint32_t slices) noexcept {
   const std::uint32_t a = slice_at(first, slices);
   const std::uint32_t b = slice_at(second, slices);

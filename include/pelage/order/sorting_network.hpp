@@ -11,9 +11,10 @@ namespace pelage::inline PELAGE_ABI {
 /// Puts the nearer of two fragments first. Ties as before().
 constexpr void order_pair(fragment& a, fragment& b) noexcept;
 
-/// Sorts K fragments nearest first with Batcher's odd-even merge network: the same compares whatever the data, so
-/// that a compiler can unroll it and keep every slot in a register. O(K log² K): 63 compares at K = 16, 543 at 64.
-/// Not stable; ids make the order total. Sorts other elements too, by the order_pair() declared beside their type.
+/// Sorts K fragments nearest first with Batcher's odd-even merge network [Batcher 1968]: the same compares whatever the
+/// data, so that a compiler can unroll it and keep every slot in a register. O(K log² K): 63 compares at K = 16, 543
+/// at 64. Not stable; ids make the order total. Sorts other elements too, by the order_pair() declared beside their
+/// type.
 template <std::uint32_t K, class Element>
 constexpr void sort_network(std::array<Element, K>& slot) noexcept;
 

@@ -9,7 +9,9 @@
 #include <atomic>
 #include <cstdint>
 
-/// atomic_k_buffer for hardware without 64-bit atomics: the depths in a first pass, the ids in a second one.
+/// atomic_k_buffer for hardware without 64-bit atomics: the depths in a first pass, the ids in a second one. The
+/// two-pass K-buffer of [Yu12 §5.1] is another one: an a_buffer in the first pass, a k_buffer that reads it in the
+/// second.
 ///
 /// Keeps the same K fragments in the same order, ties by id included; hands back what falls out in the second pass.
 /// Each fragment is offered once in each pass. Between the passes, and between the second one and the first read, the

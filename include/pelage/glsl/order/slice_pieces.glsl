@@ -15,8 +15,8 @@ uint pelage_slice_sort_slice_at(float position, uint slices) {
   return uint(position > 0.0 ? (position < last ? position : last) : 0.0);
 }
 
-/// The slice of a segment, [0, slices): that of its farther end. `first`, `second`: pelage_slice_position() of its
-/// ends, [0, slices]; the end of the last slice belongs to it. NaN counts as 0.
+/// The slice of a segment, [0, slices): that of its farther end [Svoboda §1.3.3]. `first`, `second`:
+/// pelage_slice_position() of its ends, [0, slices]; the end of the last slice belongs to it. NaN counts as 0.
 uint pelage_slice_sort_slice_of(float first, float second, uint slices) {
   const uint a = pelage_slice_sort_slice_at(first, slices);
   const uint b = pelage_slice_sort_slice_at(second, slices);

@@ -26,10 +26,10 @@ void pelage_order_pair(inout pelage_fragment a, inout pelage_fragment b);
 
 #endif
 
-/// Sorts K fragments nearest first with Batcher's odd-even merge network: the same compares whatever the data, so
-/// that a compiler can unroll it and keep every slot in a register. O(K log² K): 63 compares at K = 16, 543 at 64.
-/// Not stable; ids make the order total. Sorts other elements too, by the pelage_order_pair() declared beside their
-/// type.
+/// Sorts K fragments nearest first with Batcher's odd-even merge network [Batcher 1968]: the same compares whatever the
+/// data, so that a compiler can unroll it and keep every slot in a register. O(K log² K): 63 compares at K = 16, 543
+/// at 64. Not stable; ids make the order total. Sorts other elements too, by the pelage_order_pair() declared beside
+/// their type.
 void pelage_sort_network(inout pelage_fragment slot[PELAGE_SORT_NETWORK_K]);
 
 // ---------------------------------------------------------------------------------------------------------

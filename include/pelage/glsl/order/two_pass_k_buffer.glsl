@@ -24,7 +24,9 @@ uint[PELAGE_TWO_PASS_K_BUFFER_K] PELAGE_TWO_PASS_K_BUFFER_K_has_one_value_in_a_s
 #include "../core/atomic_cells.glsl"
 #include "../core/fragment.glsl"
 
-/// atomic_k_buffer for hardware without 64-bit atomics: the depths in a first pass, the ids in a second one.
+/// atomic_k_buffer for hardware without 64-bit atomics: the depths in a first pass, the ids in a second one. The
+/// two-pass K-buffer of [Yu12 §5.1] is another one: an a_buffer in the first pass, a pelage_k_buffer that reads it in
+/// the second.
 ///
 /// Keeps the same K fragments in the same order, ties by id included; hands back what falls out in the second pass.
 /// Each fragment is offered once in each pass. Between the passes, and between the second one and the first read, the
