@@ -63,6 +63,32 @@ TEST_CASE("the share of draws below a distance is N's integral to there") {
   }
 }
 
+TEST_CASE("a band is the lobe averaged over a width, and the lobe itself where that is narrow") {
+  for (const double scale : {0.01, 0.06, 0.3, 1.0, 4.0}) {
+    const auto lobe = make_azimuthal_lobe(scale);
+    for (const double extent : {0.0, 0.02, 0.3}) {
+      CAPTURE(scale);
+      CAPTURE(extent);
+      const auto band = make_azimuthal_band(lobe, extent);
+      const auto logistic = make_azimuthal_lobe(band.scale);
+      const int count = 20000;
+      double sum = 0.0;
+      for (int k = 0; k < count; ++k)
+        sum += 2.0 * evaluate_azimuthal(band, std::numbers::pi * (k + 0.5) / count) * std::numbers::pi / count;
+      CHECK(sum == doctest::Approx(1.0).epsilon(1e-4));
+      for (const double x : {0.0, 0.01, 0.1, 0.4, 2.0}) {
+        double mean = 0.0;
+        for (int k = 0; k < 1000; ++k)
+          mean += 1e-3 * evaluate_azimuthal(logistic, std::abs(x + ((k + 0.5) * 1e-3 - 0.5) * band.width));
+        const double is = evaluate_azimuthal(band, x);
+        CHECK(is == doctest::Approx(mean).epsilon(1e-3));
+        if (extent < 0.7 * scale) CHECK(is == doctest::Approx(evaluate_azimuthal(lobe, x)).epsilon(2e-3));
+      }
+      CHECK(band.width >= 0.7 * extent * (extent > 1.5 * scale ? 1.0 : 0.0));
+    }
+  }
+}
+
 TEST_CASE("draws stay on the circle at both ends and at roughness 0") {
   for (const float scale : {0.0f, 1e-4f, 0.05f, 4.0f, std::numeric_limits<float>::quiet_NaN()}) {
     const auto lobe = make_azimuthal_lobe(scale);

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 using namespace pelage;
 
@@ -35,76 +34,44 @@ struct setting {
   double theta;
 };
 
-const std::array<setting, 4> settings = {setting{{1.55f, {0.1f, 0.4f, 0.9f}, 0.3f, 0.3f, 0.035f}, 0.3f, 0.3},
+const std::array<setting, 5> settings = {setting{{1.55f, {0.1f, 0.4f, 0.9f}, 0.3f, 0.3f, 0.035f}, 0.3f, 0.3},
                                          setting{{1.55f, {0.0f, 0.2f, 2.0f}, 0.15f, 0.5f, -0.1f}, -0.8f, -1.0},
                                          setting{{1.4f, {1.0f, 1.0f, 0.1f}, 0.6f, 0.2f, 0.17f}, 0.95f, 1.3},
-                                         setting{{1.7f, {0.05f, 0.05f, 0.3f}, 1.0f, 1.0f, 0.0f}, 0.0f, 0.0}};
+                                         setting{{1.7f, {0.05f, 0.05f, 0.3f}, 1.0f, 1.0f, 0.0f}, 0.0f, 0.0},
+                                         setting{{1.55f, {0.3f, 0.6f, 0.9f}, 0.05f, 0.05f, -0.035f}, 0.6f, 0.4}};
 
 }  // namespace
 
 TEST_CASE("samples are distributed as the density says: χ² over 96 cells of equal area") {
-  const int rows = 8;
-  const int columns = 12;
   const int draws = 200000;
   for (const setting& s : settings) {
     const auto fibre = make_chiang_fibre(s.parameters);
     const auto view = view_chiang(fibre, s.h, fibre_direction_of(test::unit_vector<float>(s.theta, 0.5)));
-    std::vector<double> observed(rows * columns), expected(rows * columns);
-    std::uint32_t state = 12345u;  // a fixed stream of independent numbers
-    const auto draw = [&] {
-      state = state * 1664525u + 1013904223u;
-      std::uint32_t x = state;
-      x ^= x >> 16u;
-      x *= 0x7feb352du;
-      x ^= x >> 15u;
-      x *= 0x846ca68bu;
-      x ^= x >> 16u;
-      return static_cast<float>(x >> 8u) * 0x1p-24f;
-    };
+    test::sphere_cells observed, expected;
+    test::number_stream draw;
     for (int k = 0; k < draws; ++k) {
       const float a = draw();
       const float b = draw();
       const float c = draw();
       const float d = draw();
-      const glm::vec3 w = sample_chiang(fibre, view, std::array<float, 4>{a, b, c, d}).direction;
-      const int row = std::min(static_cast<int>((w.x + 1.0f) * 0.5f * rows), rows - 1);
-      const double azimuth = std::atan2(static_cast<double>(w.z), static_cast<double>(w.y)) + pi;
-      const int column = std::min(static_cast<int>(azimuth / (2.0 * pi) * columns), columns - 1);
-      observed[static_cast<std::size_t>(row * columns + column)] += 1.0;
+      observed.at(sample_chiang(fibre, view, std::array<float, 4>{a, b, c, d}).direction) += 1.0;
     }
-    const int fine = 24;  // per cell and axis
-    for (int i = 0; i < rows * fine; ++i) {
-      const double x = 2.0 * (i + 0.5) / (rows * fine) - 1.0;
-      for (int k = 0; k < columns * fine; ++k) {
-        const double azimuth = 2.0 * pi * (k + 0.5) / (columns * fine) - pi;
+    // Points per cell and axis that the narrowest lobe needs.
+    const double narrowest = std::min(std::sqrt(static_cast<double>(fibre.longitudinal[1].variance)),
+                                      static_cast<double>(fibre.azimuthal.scale));
+    const int rows = 8 * std::max(24, static_cast<int>(0.5 / narrowest));
+    const int columns = 12 * std::max(24, static_cast<int>(0.5 / narrowest));
+    for (int i = 0; i < rows; ++i) {
+      const double x = 2.0 * (i + 0.5) / rows - 1.0;
+      for (int k = 0; k < columns; ++k) {
+        const double azimuth = 2.0 * pi * (k + 0.5) / columns;
         const glm::vec3 w = test::unit_vector<float>(std::asin(x), azimuth);
-        expected[static_cast<std::size_t>(i / fine * columns + k / fine)] +=
-            static_cast<double>(chiang_density(fibre, view, fibre_direction_of(w))) * draws * 4.0 * pi /
-            (rows * columns * fine * fine);
+        expected.at(x, azimuth) += static_cast<double>(chiang_density(fibre, view, fibre_direction_of(w))) * draws *
+                                   4.0 * pi / (rows * columns);
       }
-    }
-    double chi2 = 0.0;
-    double rest_observed = 0.0;
-    double rest_expected = 0.0;
-    int cells = 0;
-    for (std::size_t k = 0; k < observed.size(); ++k) {
-      if (expected[k] < 10.0) {
-        rest_observed += observed[k];
-        rest_expected += expected[k];
-      } else {
-        chi2 += (observed[k] - expected[k]) * (observed[k] - expected[k]) / expected[k];
-        ++cells;
-      }
-    }
-    if (rest_expected > 10.0) {
-      chi2 += (rest_observed - rest_expected) * (rest_observed - rest_expected) / rest_expected;
-      ++cells;
     }
     CAPTURE(s.theta);
-    CAPTURE(cells);
-    // Four standard deviations of χ² above its mean.
-    CHECK(chi2 < (cells - 1) + 4.0 * std::sqrt(2.0 * (cells - 1)));
-    CHECK(rest_observed < rest_expected + 5.0 * std::sqrt(rest_expected + 1.0));
+    CHECK(test::chi_square_excess(observed, expected) < 4.0);
   }
 }
 
@@ -176,6 +143,36 @@ TEST_CASE("the ends of the unit interval and directions along the fibre are draw
       }
     }
   }
+}
+
+TEST_CASE("a fibre that is not black draws no direction of density 0, at the corners of the unit cube neither") {
+  const float last = 0.99999994f;
+  int drawn = 0, without_density = 0, without_weight = 0;
+  for (const float rough : {0.0f, 0.02f, 0.05f, 0.3f, 1.0f}) {
+    for (const float tilt : {0.0f, -0.035f, 0.3f}) {
+      for (const float h : {-1.0f, -0.999f, -0.3f, 0.0f, 0.8f, 1.0f}) {
+        for (const double theta : {-pi / 2, -1.57, -1.2, 0.0, 0.4, 1.569, pi / 2}) {
+          for (const float round : {rough, 1.0f - rough}) {
+            const auto fibre = make_chiang_fibre<float>({1.55f, {0.1f, 1.0f, 30.0f}, rough, round, tilt});
+            const auto view = view_chiang(fibre, h, fibre_direction_of(test::unit_vector<float>(theta, 2.0)));
+            for (int point = 0; point < 256; ++point) {
+              const auto number = [&](int bit) {
+                return std::array<float, 4>{0.0f, 1e-8f, 0.5f, last}[static_cast<std::size_t>(point >> bit & 3)];
+              };
+              const auto sample =
+                  sample_chiang(fibre, view, std::array<float, 4>{number(0), number(2), number(4), number(6)});
+              ++drawn;
+              without_density += sample.result.density > 0.0f ? 0 : 1;
+              without_weight += std::isfinite(sample.result.value[0] / sample.result.density) ? 0 : 1;
+            }
+          }
+        }
+      }
+    }
+  }
+  CAPTURE(drawn);
+  CHECK(without_density == 0);
+  CHECK(without_weight == 0);
 }
 
 TEST_CASE("a fibre that is black in every lobe has density 0 and no NaN") {

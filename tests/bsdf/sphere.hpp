@@ -9,7 +9,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
+#include <vector>
 
 namespace pelage::test {
 
@@ -47,6 +49,57 @@ double integrate_sphere(int theta_panels, int phi_count, Function function) {
     }
     return row * std::cos(theta) * 2.0 * std::numbers::pi / phi_count;
   });
+}
+
+/// A fixed stream of independent numbers in [0, 1).
+struct number_stream {
+  std::uint32_t state = 12345u;
+  float operator()() {
+    state = state * 1664525u + 1013904223u;
+    std::uint32_t x = state;
+    x ^= x >> 16u;
+    x *= 0x7feb352du;
+    x ^= x >> 15u;
+    x *= 0x846ca68bu;
+    x ^= x >> 16u;
+    return static_cast<float>(x >> 8u) * 0x1p-24f;
+  }
+};
+
+/// The sphere in 96 cells of equal area.
+struct sphere_cells {
+  static constexpr int rows = 8;
+  static constexpr int columns = 12;
+  std::vector<double> count = std::vector<double>(rows * columns);
+
+  double& at(double x, double azimuth) {
+    const int row = std::min(static_cast<int>((x + 1.0) * 0.5 * rows), rows - 1);
+    const double turns = azimuth / (2.0 * std::numbers::pi);
+    const int column = std::min(static_cast<int>((turns - std::floor(turns)) * columns), columns - 1);
+    return count[static_cast<std::size_t>(row * columns + column)];
+  }
+  double& at(const glm::vec3& w) { return at(w.x, std::atan2(static_cast<double>(w.z), static_cast<double>(w.y))); }
+};
+
+/// By how many standard deviations χ² lies above its mean. Cells that expect fewer than 10 are counted as one.
+inline double chi_square_excess(const sphere_cells& observed, const sphere_cells& expected) {
+  double chi2 = 0.0, rest_observed = 0.0, rest_expected = 0.0;
+  int cells = -1;
+  const auto count = [&](double seen, double wanted) {
+    chi2 += (seen - wanted) * (seen - wanted) / wanted;
+    ++cells;
+  };
+  for (std::size_t k = 0; k < observed.count.size(); ++k) {
+    if (expected.count[k] < 10.0) {
+      rest_observed += observed.count[k];
+      rest_expected += expected.count[k];
+    } else {
+      count(observed.count[k], expected.count[k]);
+    }
+  }
+  // Where next to nothing is expected next to nothing may come.
+  if (rest_expected + rest_observed > 10.0) count(rest_observed, std::max(rest_expected, 1.0));
+  return (chi2 - cells) / std::sqrt(2.0 * std::max(cells, 1));
 }
 
 /// Panels per half circle and points per circle that resolve a fibre's narrowest lobes.

@@ -27,9 +27,30 @@ template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline Real evaluate_azimuthal(const azimuthal_lobe<Real>& lobe,
                                                                  Real from_middle) noexcept;
 
-/// Draws a signed distance from the middle, [-π, π], with density N from a number in [0, 1).
+/// Draws a signed distance from the middle, [-π, π], with density N from a number in [0, 1). The
+/// outermost 3e-8 on each side of a narrow lobe is drawn in at its edge, beyond which N would be 0.
 template <std::floating_point Real>
 [[nodiscard]] inline Real sample_azimuthal(const azimuthal_lobe<Real>& lobe, Real u) noexcept;
+
+/// A lobe whose middle is spread evenly over a width: what stands for all offsets of one part of a fibre's width.
+template <real_number Real>
+struct azimuthal_band {
+  Real scale;   ///< of the logistic, that of the lobe or up to 1.5 of it where the band is wide
+  Real width;   ///< over which the middle is spread, radians
+  Real spread;  ///< 2 cosh(width/(2 scale))
+  Real height;  ///< 2 sinh(width/(2 scale))/width, normalised as the lobe is
+};
+
+/// The band that stands for `extent` radians, [0, π), of middles. Where that is below 0.7 of the lobe's scale the band is
+/// the lobe itself within 2e-3: lobes that close to one another add up without ripples.
+template <real_number Real>
+[[nodiscard, gnu::always_inline]] inline azimuthal_band<Real> make_azimuthal_band(const azimuthal_lobe<Real>& lobe,
+                                                                                  Real extent) noexcept;
+
+/// Its density per radian at a distance x in [0, π] from its middle; over both sides the integral is 1 within 1e-4.
+template <real_number Real>
+[[nodiscard, gnu::always_inline]] inline Real evaluate_azimuthal(const azimuthal_band<Real>& band,
+                                                                 Real from_middle) noexcept;
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -54,10 +75,29 @@ Real sample_azimuthal(const azimuthal_lobe<Real>& lobe, Real u) noexcept {
   const Real end = exponential(Real(-3.141592653589793238) / lobe.scale);
   const Real below = end / (Real(1) + end);
   const Real inside = (Real(1) - end) / (Real(1) + end);
-  const Real low = below + u * inside;
-  const Real high = below + (Real(1) - u) * inside;
+  const Real low = greatest(below + u * inside, Real(3e-8));
+  const Real high = greatest(below + (Real(1) - u) * inside, Real(3e-8));
   const Real drawn = lobe.scale * (natural_logarithm(low) - natural_logarithm(high));
   return least(greatest(drawn, Real(-3.141592653589793238)), Real(3.141592653589793238));
+}
+
+template <real_number Real>
+azimuthal_band<Real> make_azimuthal_band(const azimuthal_lobe<Real>& lobe, Real extent) noexcept {
+  const Real scale2 = lobe.scale * lobe.scale;
+  const Real width2 = greatest(extent * extent - Real(0.5) * scale2, least(Real(0.04) * scale2, Real(0.0025)));
+  const Real width = square_root(width2);
+  // A tenth of the width more smooths the corners that the even spread leaves.
+  const Real scale = square_root(scale2 + Real(0.01) * width2);
+  const Real end = exponential(Real(0.5) * width / scale);
+  const Real reciprocal = Real(1) / end;
+  return azimuthal_band<Real>{scale, width, end + reciprocal, (end - reciprocal) / width * (lobe.height * lobe.scale)};
+}
+
+template <real_number Real>
+Real evaluate_azimuthal(const azimuthal_band<Real>& band, Real from_middle) noexcept {
+  // The logistic's distribution function at both ends, one minus the other.
+  const Real e = exponential(Real(0) - from_middle / band.scale);
+  return band.height * e / (Real(1) + e * (band.spread + e));
 }
 
 }  // namespace pelage

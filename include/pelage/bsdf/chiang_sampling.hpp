@@ -23,7 +23,7 @@ struct chiang_bsdf {
 template <std::floating_point Real>
 struct chiang_sample {
   glm::vec<3, Real> direction;  ///< unit length within 3e-7 in float
-  chiang_result<Real> result;   ///< value/density is the sample's weight; density 0 only where the fibre is black
+  chiang_result<Real> result;   ///< value/density is the sample's weight; both are 0 of black fibres alone
   std::uint32_t lobe;           ///< 0 R, 1 TT, 2 TRT, 3 residual
 };
 
@@ -65,7 +65,9 @@ template <std::floating_point Real>
   const Real from_middle = residual ? Real(6.283185307179586477) * u[3] : sample_azimuthal(around, u[3]);
   const rotation<Real> inclination = sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
   const rotation<Real> azimuth = turned_by(middle, rotation_by(from_middle));
-  const Real across = inclination.cosine / square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
+  // Along the fibre too the vector keeps the azimuth, by which it is evaluated.
+  const Real outward = greatest(inclination.cosine, Real(1e-18));
+  const Real across = outward / square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
   return glm::vec<3, Real>(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
 }
 

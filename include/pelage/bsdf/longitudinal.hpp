@@ -61,7 +61,8 @@ template <real_number Real>
                                                                     Real cos_i, Real sin_o, Real cos_o) noexcept;
 
 /// Draws θ_i with density M(θ_i, θ_o) cos θ_i from two numbers in [0, 1). Its sine and cosine come from a unit vector,
-/// so that the cosine is precise near the fibre's axis too. [d'Eon 2013; Jakob 2012]
+/// so that the cosine is precise near the fibre's axis too. The outermost 3e-8 of a narrow lobe is drawn in at its
+/// edge, beyond which M would be 0. [d'Eon 2013; Jakob 2012]
 template <std::floating_point Real>
 [[nodiscard]] inline rotation<Real> sample_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin_o, Real cos_o,
                                                         Real u, Real turn) noexcept;
@@ -124,7 +125,7 @@ rotation<Real> sample_longitudinal(const longitudinal_lobe<Real>& lobe, Real sin
                                    Real turn) noexcept {
   // The polar angle about the mirrored direction (-sin, cos) has density ~ e^(cos/v); w = 1 - cos of it.
   const Real opposite = exponential(Real(-2) * lobe.concentration);
-  const Real drawn = Real(0) - lobe.variance * natural_logarithm(u + (Real(1) - u) * opposite);
+  const Real drawn = Real(0) - lobe.variance * natural_logarithm(greatest(u + (Real(1) - u) * opposite, Real(3e-8)));
   const Real w = least(greatest(drawn, Real(0)), Real(2));
   const Real polar_sine = square_root(w * (Real(2) - w));
   const rotation<Real> around = rotation_by(Real(6.283185307179586477) * turn);

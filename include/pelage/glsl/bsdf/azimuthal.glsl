@@ -5,6 +5,7 @@
 #define PELAGE_BSDF_AZIMUTHAL_GLSL
 
 #include "../core/elementary.glsl"
+#include "../core/real_number.glsl"
 
 /// Light spread round the fibre: a logistic distribution of the azimuth, trimmed to [-π, π] and normalised there.
 /// Made once per roughness. [Chiang 2016 §3.2]
@@ -21,8 +22,24 @@ precise pelage_azimuthal_lobe pelage_make_azimuthal_lobe(float scale);
 /// x ≤ 87 s and N is normal; beyond, 0 or what is left of a denormal exponential.
 precise float pelage_evaluate_azimuthal(pelage_azimuthal_lobe lobe, float from_middle);
 
-/// Draws a signed distance from the middle, [-π, π], with density N from a number in [0, 1).
+/// Draws a signed distance from the middle, [-π, π], with density N from a number in [0, 1). The
+/// outermost 3e-8 on each side of a narrow lobe is drawn in at its edge, beyond which N would be 0.
 precise float pelage_sample_azimuthal(pelage_azimuthal_lobe lobe, float u);
+
+/// A lobe whose middle is spread evenly over a width: what stands for all offsets of one part of a fibre's width.
+struct pelage_azimuthal_band {
+  float scale;   ///< of the logistic, that of the lobe or up to 1.5 of it where the band is wide
+  float width;   ///< over which the middle is spread, radians
+  float spread;  ///< 2 cosh(width/(2 scale))
+  float height;  ///< 2 sinh(width/(2 scale))/width, normalised as the lobe is
+};
+
+/// The band that stands for `extent` radians, [0, π), of middles. Where that is below 0.7 of the lobe's scale the band
+/// is the lobe itself within 2e-3: lobes that close to one another add up without ripples.
+precise pelage_azimuthal_band pelage_make_azimuthal_band(pelage_azimuthal_lobe lobe, float extent);
+
+/// Its density per radian at a distance x in [0, π] from its middle; over both sides the integral is 1 within 1e-4.
+precise float pelage_evaluate_azimuthal(pelage_azimuthal_band band, float from_middle);
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -44,10 +61,27 @@ precise float pelage_sample_azimuthal(pelage_azimuthal_lobe lobe, float u) {
   const float end = pelage_exponential(-3.1415927 / lobe.scale);
   const float below = end / (1.0 + end);
   const float inside = (1.0 - end) / (1.0 + end);
-  const float low = below + u * inside;
-  const float high = below + (1.0 - u) * inside;
+  const float low = pelage_greatest(below + u * inside, 3e-8);
+  const float high = pelage_greatest(below + (1.0 - u) * inside, 3e-8);
   const float drawn = lobe.scale * (pelage_natural_logarithm(low) - pelage_natural_logarithm(high));
   return pelage_least(pelage_greatest(drawn, -3.1415927), 3.141592653589793238);
+}
+
+precise pelage_azimuthal_band pelage_make_azimuthal_band(pelage_azimuthal_lobe lobe, float extent) {
+  const float scale2 = lobe.scale * lobe.scale;
+  const float width2 = pelage_greatest(extent * extent - 0.5 * scale2, pelage_least(0.04 * scale2, 0.0025));
+  const float width = pelage_square_root(width2);
+  // A tenth of the width more smooths the corners that the even spread leaves.
+  const float scale = pelage_square_root(scale2 + 0.01 * width2);
+  const float end = pelage_exponential(0.5 * width / scale);
+  const float reciprocal = 1.0 / end;
+  return pelage_azimuthal_band(scale, width, end + reciprocal, (end - reciprocal) / width * (lobe.height * lobe.scale));
+}
+
+precise float pelage_evaluate_azimuthal(pelage_azimuthal_band band, float from_middle) {
+  // The logistic's distribution function at both ends, one minus the other.
+  const float e = pelage_exponential(0.0 - from_middle / band.scale);
+  return band.height * e / (1.0 + e * (band.spread + e));
 }
 
 #endif

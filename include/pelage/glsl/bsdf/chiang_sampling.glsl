@@ -19,7 +19,7 @@ struct pelage_chiang_bsdf {
 /// A direction drawn for a light, with what pelage_evaluate_chiang() says of it.
 struct pelage_chiang_sample {
   vec3 direction;               ///< unit length within 3e-7 in float
-  pelage_chiang_result result;  ///< value/density is the sample's weight; density 0 only where the fibre is black
+  pelage_chiang_result result;  ///< value/density is the sample's weight; both are 0 of black fibres alone
   uint lobe;                    ///< 0 R, 1 TT, 2 TRT, 3 residual
 };
 
@@ -49,8 +49,9 @@ precise vec3 pelage_detail_draw_chiang_direction(pelage_longitudinal_lobe along,
   const float from_middle = residual ? 6.283185307179586477 * u[3] : pelage_sample_azimuthal(around, u[3]);
   const pelage_rotation inclination = pelage_sample_longitudinal(along, tilted.sine, tilted.cosine, u[1], u[2]);
   const pelage_rotation azimuth = pelage_turned_by(middle, pelage_rotation_by(from_middle));
-  const float across =
-      inclination.cosine / pelage_square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
+  // Along the fibre too the vector keeps the azimuth, by which it is evaluated.
+  const float outward = pelage_greatest(inclination.cosine, 1e-18);
+  const float across = outward / pelage_square_root(azimuth.cosine * azimuth.cosine + azimuth.sine * azimuth.sine);
   return vec3(inclination.sine, across * azimuth.cosine, across * azimuth.sine);
 }
 

@@ -51,7 +51,8 @@ precise float pelage_evaluate_longitudinal(pelage_longitudinal_lobe lobe, float 
                                            float cos_o);
 
 /// Draws θ_i with density M(θ_i, θ_o) cos θ_i from two numbers in [0, 1). Its sine and cosine come from a unit vector,
-/// so that the cosine is precise near the fibre's axis too. [d'Eon 2013; Jakob 2012]
+/// so that the cosine is precise near the fibre's axis too. The outermost 3e-8 of a narrow lobe is drawn in at its
+/// edge, beyond which M would be 0. [d'Eon 2013; Jakob 2012]
 precise pelage_rotation pelage_sample_longitudinal(pelage_longitudinal_lobe lobe, float sin_o, float cos_o, float u,
                                                    float turn);
 
@@ -106,7 +107,7 @@ precise pelage_rotation pelage_sample_longitudinal(pelage_longitudinal_lobe lobe
                                                    float turn) {
   // The polar angle about the mirrored direction (-sin, cos) has density ~ e^(cos/v); w = 1 - cos of it.
   const float opposite = pelage_exponential(-2.0 * lobe.concentration);
-  const float drawn = 0.0 - lobe.variance * pelage_natural_logarithm(u + (1.0 - u) * opposite);
+  const float drawn = 0.0 - lobe.variance * pelage_natural_logarithm(pelage_greatest(u + (1.0 - u) * opposite, 3e-8));
   const float w = pelage_least(pelage_greatest(drawn, 0.0), 2.0);
   const float polar_sine = pelage_square_root(w * (2.0 - w));
   const pelage_rotation around = pelage_rotation_by(6.283185307179586477 * turn);
