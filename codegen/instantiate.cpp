@@ -242,6 +242,8 @@ template float versine(rotation<float>) noexcept;
 template rotation<float> sample_longitudinal(const longitudinal_lobe<float>&, float, float, float, float) noexcept;
 template azimuthal_lobe<float> make_azimuthal_lobe(float) noexcept;
 template float evaluate_azimuthal(const azimuthal_lobe<float>&, float) noexcept;
+template azimuthal_band<float> make_azimuthal_band(const azimuthal_lobe<float>&, float) noexcept;
+template float evaluate_azimuthal(const azimuthal_band<float>&, float) noexcept;
 template float sample_azimuthal(const azimuthal_lobe<float>&, float) noexcept;
 template melanin<float> melanin_of(hair_colour) noexcept;
 template colour absorption_of(melanin<float>) noexcept;
@@ -261,10 +263,12 @@ template chiang_bsdf<float> evaluate_chiang_bsdf(const chiang_fibre<float>&, flo
 template chiang_sample<float> sample_chiang(const chiang_fibre<float>&, const chiang_view<float>&,
                                             const std::array<float, 4>&) noexcept;
 template width_node<float> fibre_width_node(int, int) noexcept;
-template chiang_result<float> evaluate_chiang_far<4>(const chiang_fibre<float>&, const fibre_direction<float>&,
-                                                     const fibre_direction<float>&) noexcept;
-template chiang_result<float> evaluate_chiang_far<3>(const chiang_fibre<float>&, const fibre_direction<float>&,
-                                                     const fibre_direction<float>&) noexcept;
+template chiang_far_azimuths<float> chiang_far_lobes(const chiang_fibre<float>&, float, float,
+                                                     const rotation<float>&) noexcept;
+template chiang_result<float> evaluate_chiang_far(const chiang_fibre<float>&, const fibre_direction<float>&,
+                                                  const fibre_direction<float>&) noexcept;
+template chiang_sample<float> sample_chiang_far(const chiang_fibre<float>&, const fibre_direction<float>&,
+                                                const std::array<float, 4>&) noexcept;
 template vec3 axial_passage(float, const colour&, float) noexcept;
 template vec3 mean_passage<4>(float, const colour&, float) noexcept;
 template vec3 mean_passage<3>(float, const colour&, float) noexcept;

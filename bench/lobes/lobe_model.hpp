@@ -57,20 +57,16 @@ class lobe_model {
 
  private:
   [[nodiscard]] std::vector<glm::dvec3> chiang(double theta_r, double phi) const {
-    constexpr int panels = 16;
     const fibre_direction<double> from = {std::sin(settings_.theta_i), std::cos(settings_.theta_i), 1.0, 0.0};
     const fibre_direction<double> to = {std::sin(theta_r), std::cos(theta_r), std::cos(phi), std::sin(phi)};
-    std::vector<glm::dvec3> sums(4, glm::dvec3(0.0));
-    for (int node = 0; node < 3 * panels; ++node) {
-      const width_node<double> place = fibre_width_node<double>(node, panels);
-      const auto view = view_chiang(fibre_, place.h, from);
-      const std::array<double, 4> lobes = chiang_lobes(fibre_, view, to);
-      for (std::size_t p = 0; p < 4; ++p) {
-        const std::array<double, 3>& a = view.attenuation[p];
-        sums[p] += place.weight * lobes[p] * glm::dvec3(a[0], a[1], a[2]);
-      }
+    const std::array<double, 4> along = chiang_inclinations(fibre_, view_chiang(fibre_, 0.0, from), to);
+    const auto averages = chiang_far_lobes(fibre_, from.sine, from.cosine, rotation<double>{to.y, to.z}).value;
+    std::vector<glm::dvec3> lobes;
+    for (std::size_t p = 0; p < 4; ++p) {
+      const std::array<double, 3>& n = averages[p];
+      lobes.push_back(along[p] * glm::dvec3(n[0], n[1], n[2]));
     }
-    return sums;
+    return lobes;
   }
 
   [[nodiscard]] std::vector<glm::dvec3> marschner(double theta_r, double phi) const {

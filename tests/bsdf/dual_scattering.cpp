@@ -24,7 +24,7 @@ struct even_fibre {
   glm::dvec3 operator()(double, double, double) const { return glm::dvec3(share / (4.0 * pi)); }
 };
 
-chiang_fibre_model<4, double> hair_model(double sigma) {
+chiang_fibre_model<double> hair_model(double sigma) {
   return {make_chiang_fibre<double>({1.55, {0.0, sigma, 4.0 * sigma}, 0.3, 0.3, 0.035})};
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("Marschner's model, taken in shares, has averages like Chiang's") {
 
 TEST_CASE("the tilt shifts what turns back by its sign") {
   const auto shift = [](double tilt) {
-    const chiang_fibre_model<4, double> model = {make_chiang_fibre<double>({1.55, {5.0, 5.0, 5.0}, 0.2, 0.3, tilt})};
+    const chiang_fibre_model<double> model = {make_chiang_fibre<double>({1.55, {5.0, 5.0, 5.0}, 0.2, 0.3, tilt})};
     return average_fibre(model, 0.0, 96u, 64u).backward_shift.x;
   };
   // Absorption leaves R, whose θ_i + θ_o is 2α: θ_h is α.

@@ -79,7 +79,7 @@ void for_each_hair(Check check) {
       for (const double theta : {0.0, 0.5}) {
         const auto fibre = make_chiang_fibre<double>({1.55, {sigma, sigma, sigma}, 0.3, 0.3, 0.0});
         made.push_back({sigma, theta, walk(fibre, theta, 20000),
-                        average_fibre(chiang_fibre_model<4, double>{fibre}, theta, 64U, 64U)});
+                        average_fibre(chiang_fibre_model<double>{fibre}, theta, 64U, 64U)});
       }
     }
     return made;

@@ -21,11 +21,32 @@ TEST_CASE("what passes a fibre is the integral of the BSDF's TT lobe over all di
     const glm::dvec3 passage = mean_passage<4>(1.55, sigma, std::sin(theta));
     for (int c = 0; c < 3; ++c) {
       const double lobe = test::integrate_sphere<double>(40, 48, [&](const glm::dvec3& light) {
-        return evaluate_chiang_far<4>(fibre, eye, fibre_direction_of(light)).value[c];
+        double sum = 0.0;
+        for (int node = 0; node < 12; ++node) {
+          const auto place = fibre_width_node<double>(node, 4);
+          const auto view = view_chiang(fibre, place.h, eye);
+          sum += place.weight * evaluate_chiang(fibre, view, fibre_direction_of(light)).value[c];
+        }
+        return sum;
       });
       CHECK(passage[c] == doctest::Approx(lobe).epsilon(1e-4));
     }
   }
+}
+
+TEST_CASE("the rule's weights are an average's") {
+  double sum = 0.0;
+  double mean = 0.0;
+  double square = 0.0;
+  for (int node = 0; node < 12; ++node) {
+    const width_node<double> place = fibre_width_node<double>(node, 4);
+    sum += place.weight;
+    mean += place.weight * place.h;
+    square += place.weight * place.h * place.h;
+  }
+  CHECK(sum == doctest::Approx(1.0).epsilon(1e-5));
+  CHECK(std::abs(mean) < 1e-15);
+  CHECK(square == doctest::Approx(1.0 / 3.0).epsilon(1e-4));
 }
 
 TEST_CASE("through the axis a clear fibre passes fibre_attenuation()") {

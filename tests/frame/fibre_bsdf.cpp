@@ -180,8 +180,8 @@ TEST_CASE("the choice is the header's model, within the tables' bounds") {
     const float expected = 0.5F * s[0] * std::cos(theta_i);
     marschner_peak = std::max(marschner_peak, expected);
     marschner_error = std::max(marschner_error, std::abs(sent(marschner, theta_i, theta_r, phi).x - expected));
-    const auto f = evaluate_chiang_far<32>(rough, fibre_direction_of(direction(theta_r, 0.0F)),
-                                           fibre_direction_of(direction(theta_i, phi)));
+    const auto f = evaluate_chiang_far(rough, fibre_direction_of(direction(theta_r, 0.0F)),
+                                       fibre_direction_of(direction(theta_i, phi)));
     chiang_peak = std::max(chiang_peak, f.value[0]);
     chiang_error = std::max(chiang_error, std::abs(sent(chiang, theta_i, theta_r, phi).x - f.value[0]));
   });
@@ -283,7 +283,7 @@ TEST_CASE("dual scattering is the header's, on averages of the header's fibre") 
   const fibre_bsdf hair = bsdf_of(look);
   const auto fibre = make_chiang_fibre<float>(
       {look.eta, absorption_of(*look.pigment), look.beta_m, look.beta_n, -glm::radians(look.tilt)});
-  const chiang_fibre_model<8, float> model{fibre};
+  const chiang_fibre_model<float> model{fibre};
   const dual_density<float> density{0.7F, 0.7F};
   const passage passed{0.3F, 2.5F, 0.9F};
   constexpr float opacity = 0.6F;
@@ -298,7 +298,7 @@ TEST_CASE("dual scattering is the header's, on averages of the header's fibre") 
         at.opacity = opacity;
         const glm::vec3 shown = hair.scatter(at, direction(theta_i, phi), passed) / pi;
         const auto once =
-            evaluate_chiang_far<16>(fibre, fibre_direction_of(at.to_eye), fibre_direction_of(direction(theta_i, phi)));
+            evaluate_chiang_far(fibre, fibre_direction_of(at.to_eye), fibre_direction_of(direction(theta_i, phi)));
         const float cos_d = std::cos(0.5F * (theta_r - theta_i));
         const float to_radiance = std::cos(theta_i) * std::cos(theta_r) / (cos_d * cos_d);
         const glm::vec3 many =

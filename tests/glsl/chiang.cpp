@@ -102,8 +102,8 @@ TEST_CASE("Averages over a fibre's width are within 5e-5 of double on every devi
   holds("chiang far", [&] {
     compare_with_double(kernels::chiang_far, inputs,
                         [](row in, row, wanted& out) {
-                          const auto far = evaluate_chiang_far<4>(fibre_of(in), fibre_direction_of(in.d3(8)),
-                                                                  fibre_direction_of(in.d3(11)));
+                          const auto far = evaluate_chiang_far(fibre_of(in), fibre_direction_of(in.d3(8)),
+                                                               fibre_direction_of(in.d3(11)));
                           out.put(far.value);
                           out.put(far.density);
                           out.put(axial_passage(in.d(0), in.channels(1), in.d(8)));
@@ -113,6 +113,29 @@ TEST_CASE("Averages over a fibre's width are within 5e-5 of double on every devi
                          {"evaluate_chiang_far density", 1, 5e-5, 1e-6},
                          {"axial_passage", 3, 5e-5, 1e-6},
                          {"mean_passage", 3, 5e-5, 1e-6}});
+  });
+}
+
+TEST_CASE("Directions drawn for a fibre seen from afar are unit vectors that carry their density") {
+  std::vector<words> inputs = seen_fibres(between(0.08F, 1.0F));
+  inputs.insert(inputs.end(), 4, between(0.0F, 0.999F));
+  holds("chiang far samples", [&] {
+    compare_with_double(kernels::chiang_far_sample, inputs,
+                        [](row in, row got, wanted& out) {
+                          const glm::dvec3 direction = got.d3(0);
+                          RC_ASSERT(std::abs(vector_length(direction) - 1.0) < 4e-7);
+                          RC_ASSERT(got.f(7) >= 0.0F && got.f(7) <= 3.0F);
+                          const auto far = evaluate_chiang_far(fibre_of(in), fibre_direction_of(in.d3(8)),
+                                                               fibre_direction_of(direction));
+                          out.put(direction);
+                          out.put(far.value);
+                          out.put(far.density);
+                          out.put(got.d(7));
+                        },
+                        {{"sample_chiang_far direction", 3, 0.0},
+                         {"sample_chiang_far", 3, 5e-5, 1e-6},
+                         {"sample_chiang_far density", 1, 5e-5, 1e-6},
+                         {"sample_chiang_far lobe", 1, 0.0}});
   });
 }
 

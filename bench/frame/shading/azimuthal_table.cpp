@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::uint32_t rows = 64;      ///< sines of inclination from 0 to 1
 constexpr std::uint32_t columns = 256;  ///< azimuths from 0 to π
-constexpr int panels = 32;              ///< of the rule over the width; enough for β_n ≥ 0.05
 constexpr float pi = 3.14159265F;
 
 float sine_of_row(std::uint32_t row) {
@@ -44,22 +43,15 @@ azimuthal_table::azimuthal_table(const marschner_parameters<float>& parameters) 
 azimuthal_table::azimuthal_table(const chiang_fibre<float>& fibre) : azimuthal_table() {
   tbb::parallel_for(0U, rows, [&](std::uint32_t row) {
     const float sine = sine_of_row(row);
-    const fibre_direction<float> eye = {sine, std::sqrt((1.0F - sine) * (1.0F + sine)), 1.0F, 0.0F};
-    for (int node = 0; node < 3 * panels; ++node) {
-      const width_node<float> place = fibre_width_node<float>(node, panels);
-      const chiang_view<float> view = view_chiang(fibre, place.h, eye);
-      residual_[row] += (place.weight / (2.0F * pi)) * colour_of(view.attenuation[3]);
-      for (std::uint32_t column = 0; column < columns; ++column) {
-        const float phi = pi * static_cast<float>(column) / static_cast<float>(columns - 1);
-        const std::size_t at = row * columns + column;
-        const auto lobe = [&](std::size_t p) {
-          return place.weight * chiang_round(fibre.azimuthal, view.towards[p], std::cos(phi), std::sin(phi)) *
-                 colour_of(view.attenuation[p]);
-        };
-        reflected_[at] += lobe(0);
-        transmitted_[at] += lobe(1);
-        returned_[at] += lobe(2);
-      }
+    const float cosine = std::sqrt((1.0F - sine) * (1.0F + sine));
+    for (std::uint32_t column = 0; column < columns; ++column) {
+      const float phi = pi * static_cast<float>(column) / static_cast<float>(columns - 1);
+      const auto lobes = chiang_far_lobes(fibre, sine, cosine, rotation<float>{std::cos(phi), std::sin(phi)}).value;
+      const std::size_t at = row * columns + column;
+      reflected_[at] = colour_of(lobes[0]);
+      transmitted_[at] = colour_of(lobes[1]);
+      returned_[at] = colour_of(lobes[2]);
+      residual_[row] = colour_of(lobes[3]);
     }
   });
   integrate();

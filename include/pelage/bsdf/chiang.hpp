@@ -85,6 +85,11 @@ template <real_number Real>
 [[nodiscard]] inline std::array<Real, 4> chiang_lobes(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
                                                       const fibre_direction<Real>& light) noexcept;
 
+/// M_p of the four lobes for one light.
+template <real_number Real>
+[[nodiscard, gnu::always_inline]] inline std::array<Real, 4> chiang_inclinations(
+    const chiang_fibre<Real>& fibre, const chiang_view<Real>& view, const fibre_direction<Real>& light) noexcept;
+
 /// The density alone, per steradian.
 template <real_number Real>
 [[nodiscard]] inline Real chiang_density(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
@@ -227,21 +232,30 @@ chiang_result<Real> evaluate_chiang(const chiang_fibre<Real>& fibre, const chian
 }
 
 template <real_number Real>
-std::array<Real, 4> chiang_lobes(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
-                                 const fibre_direction<Real>& light) noexcept {
+std::array<Real, 4> chiang_inclinations(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
+                                        const fibre_direction<Real>& light) noexcept {
   const fibre_direction<Real>& eye = view.eye;
   const rotation<Real> sum = {light.cosine * eye.cosine - light.sine * eye.sine,
                               sine_of_sum(light.sine, light.cosine, eye.sine, eye.cosine)};
-  std::array<Real, 4> lobes;
+  std::array<Real, 4> along;
   for (std::uint32_t p = 0u; p < 3u; ++p) {
-    lobes[p] = chiang_along(fibre.longitudinal[p], sum, fibre.tilts[p], view.tilted[p], view.flipped[p], light.sine,
-                            light.cosine) *
-               chiang_round(fibre.azimuthal, view.towards[p], light.y, light.z);
+    along[p] = chiang_along(fibre.longitudinal[p], sum, fibre.tilts[p], view.tilted[p], view.flipped[p], light.sine,
+                            light.cosine);
   }
   const rotation<Real> none = {Real(1), Real(0)};
-  lobes[3] = chiang_along(fibre.longitudinal[3], sum, none, rotation<Real>{eye.cosine, eye.sine}, Real(0), light.sine,
-                          light.cosine) *
-             Real(0.159154943091895336);
+  along[3] = chiang_along(fibre.longitudinal[3], sum, none, rotation<Real>{eye.cosine, eye.sine}, Real(0), light.sine,
+                          light.cosine);
+  return along;
+}
+
+template <real_number Real>
+std::array<Real, 4> chiang_lobes(const chiang_fibre<Real>& fibre, const chiang_view<Real>& view,
+                                 const fibre_direction<Real>& light) noexcept {
+  std::array<Real, 4> lobes = chiang_inclinations(fibre, view, light);
+  for (std::uint32_t p = 0u; p < 3u; ++p) {
+    lobes[p] = lobes[p] * chiang_round(fibre.azimuthal, view.towards[p], light.y, light.z);
+  }
+  lobes[3] = lobes[3] * Real(0.159154943091895336);
   return lobes;
 }
 

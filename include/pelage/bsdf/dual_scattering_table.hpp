@@ -33,7 +33,7 @@ struct marschner_fibre_model {
 };
 
 /// Chiang's model in shares of light, averaged over the fibre's width by the rule of evaluate_chiang_far().
-template <int Panels, std::floating_point Real>
+template <std::floating_point Real>
 struct chiang_fibre_model {
   chiang_fibre<Real> fibre;
   [[nodiscard]] glm::vec<3, Real> operator()(Real theta_i, Real theta_r, Real phi) const noexcept;
@@ -86,14 +86,14 @@ glm::vec<3, Real> marschner_fibre_model<Real>::operator()(Real theta_i, Real the
   return half_cosine * result.scattering;
 }
 
-template <int Panels, std::floating_point Real>
-glm::vec<3, Real> chiang_fibre_model<Panels, Real>::operator()(Real theta_i, Real theta_r, Real phi) const noexcept {
+template <std::floating_point Real>
+glm::vec<3, Real> chiang_fibre_model<Real>::operator()(Real theta_i, Real theta_r, Real phi) const noexcept {
   const rotation<Real> from = rotation_by(theta_i);
   const rotation<Real> to = rotation_by(theta_r);
   const rotation<Real> azimuth = rotation_by(phi);
   const fibre_direction<Real> known = {from.sine, absolute(from.cosine), Real(1), Real(0)};
   const fibre_direction<Real> other = {to.sine, absolute(to.cosine), azimuth.cosine, azimuth.sine};
-  return evaluate_chiang_far<Panels>(fibre, known, other).value;
+  return evaluate_chiang_far(fibre, known, other).value;
 }
 
 template <std::floating_point Real, fibre_model<Real> Model>

@@ -71,6 +71,10 @@ precise pelage_chiang_result pelage_evaluate_chiang(pelage_chiang_fibre fibre, p
 /// M_p N_p of the four lobes for one light, without attenuations: what evaluation and density share.
 precise float[4] pelage_chiang_lobes(pelage_chiang_fibre fibre, pelage_chiang_view view, pelage_fibre_direction light);
 
+/// M_p of the four lobes for one light.
+precise float[4] pelage_chiang_inclinations(pelage_chiang_fibre fibre, pelage_chiang_view view,
+                                            pelage_fibre_direction light);
+
 /// The density alone, per steradian.
 precise float pelage_chiang_density(pelage_chiang_fibre fibre, pelage_chiang_view view, pelage_fibre_direction light);
 
@@ -194,20 +198,28 @@ precise pelage_chiang_result pelage_evaluate_chiang(pelage_chiang_fibre fibre, p
   return result;
 }
 
-precise float[4] pelage_chiang_lobes(pelage_chiang_fibre fibre, pelage_chiang_view view, pelage_fibre_direction light) {
+precise float[4] pelage_chiang_inclinations(pelage_chiang_fibre fibre, pelage_chiang_view view,
+                                            pelage_fibre_direction light) {
   const pelage_fibre_direction eye = view.eye;
   const pelage_rotation sum = pelage_rotation(light.cosine * eye.cosine - light.sine * eye.sine,
                                               pelage_sine_of_sum(light.sine, light.cosine, eye.sine, eye.cosine));
-  float lobes[4];
+  float along[4];
   for (uint p = 0u; p < 3u; ++p) {
-    lobes[p] = pelage_chiang_along(fibre.longitudinal[p], sum, fibre.tilts[p], view.tilted[p], view.flipped[p],
-                                   light.sine, light.cosine) *
-               pelage_chiang_round(fibre.azimuthal, view.towards[p], light.y, light.z);
+    along[p] = pelage_chiang_along(fibre.longitudinal[p], sum, fibre.tilts[p], view.tilted[p], view.flipped[p],
+                                   light.sine, light.cosine);
   }
   const pelage_rotation none = pelage_rotation(1.0, 0.0);
-  lobes[3] = pelage_chiang_along(fibre.longitudinal[3], sum, none, pelage_rotation(eye.cosine, eye.sine), 0.0,
-                                 light.sine, light.cosine) *
-             0.159154943091895336;
+  along[3] = pelage_chiang_along(fibre.longitudinal[3], sum, none, pelage_rotation(eye.cosine, eye.sine), 0.0,
+                                 light.sine, light.cosine);
+  return along;
+}
+
+precise float[4] pelage_chiang_lobes(pelage_chiang_fibre fibre, pelage_chiang_view view, pelage_fibre_direction light) {
+  float lobes[4] = pelage_chiang_inclinations(fibre, view, light);
+  for (uint p = 0u; p < 3u; ++p) {
+    lobes[p] = lobes[p] * pelage_chiang_round(fibre.azimuthal, view.towards[p], light.y, light.z);
+  }
+  lobes[3] = lobes[3] * 0.159154943091895336;
   return lobes;
 }
 

@@ -20,7 +20,6 @@ uint[PELAGE_MEAN_PASSAGE_PANELS] PELAGE_MEAN_PASSAGE_PANELS_has_one_value_in_a_s
 #if defined(PELAGE_PREFIX) || !defined(PELAGE_BSDF_PASSAGE_GLSL)
 
 #include "chiang.glsl"
-#include "chiang_far_field.glsl"
 #include "../core/elementary.glsl"
 #include "../core/real_number.glsl"
 
@@ -37,10 +36,20 @@ uint[PELAGE_MEAN_PASSAGE_PANELS] PELAGE_MEAN_PASSAGE_PANELS_has_one_value_in_a_s
 /// A_1 for a ray through the fibre's axis (h = 0). `sin_theta`: of the ray's inclination, [-1, 1]; 0 at the ends.
 precise vec3 pelage_axial_passage(float eta, float sigma_a[3], float sin_theta);
 
+/// One point of a rule over the fibre's width: h = sin γ, which takes the square roots at the edges out of the
+/// integrand, and three Gauss points in each of equal parts of γ.
+struct pelage_width_node {
+  float h;       ///< place across the width, (-1, 1)
+  float weight;  ///< its part of the average; all weights sum to 1 within 1e-5 from 2 panels on
+};
+
+/// Node `node` of the rule with `panels` parts, [0, 3 panels).
+precise pelage_width_node pelage_fibre_width_node(int node, int panels);
+
 #endif
 
-/// A_1 averaged over the width, ½ ∫ A_1(h) dh, by the rule of pelage_evaluate_chiang_far(). For η in [1, 3], any
-/// absorption and inclination, 2 panels are within 7.5e-3, 4 within 2e-3 and 8 within 5e-4.
+/// A_1 averaged over the width, ½ ∫ A_1(h) dh, by that rule. For η in [1, 3], any absorption
+/// and inclination, 2 panels are within 7.5e-3, 4 within 2e-3 and 8 within 5e-4.
 precise vec3 pelage_mean_passage(float eta, float sigma_a[3], float sin_theta);
 
 #ifndef PELAGE_BSDF_PASSAGE_GLSL_ONCE
@@ -62,6 +71,16 @@ precise vec3 pelage_axial_passage(float eta, float sigma_a[3], float sin_theta) 
   const float cosine = pelage_square_root(pelage_greatest((1.0 - sin_theta) * (1.0 + sin_theta), 0.0));
   const pelage_detail_chiang_section section = pelage_detail_cross_chiang_section(eta, 0.0, sin_theta, cosine);
   return pelage_detail_colour_passage(section, sigma_a);
+}
+
+precise pelage_width_node pelage_fibre_width_node(int node, int panels) {
+  const float panel = 3.141592653589793238 / float(panels);
+  const int whole = node / 3;
+  const int place = node - 3 * whole - 1;
+  const float gamma = panel * (float(whole) + 0.5 + float(place) * 0.387298334620741688) - 1.57079632679489662;
+  const pelage_rotation offset = pelage_rotation_by(gamma);
+  const float gauss = place == 0 ? 0.444444444444444444 : 0.277777777777777778;
+  return pelage_width_node(offset.sine, 0.5 * panel * gauss * offset.cosine);
 }
 
 #endif
