@@ -199,6 +199,36 @@ TEST_CASE("the BSDF times the cosine that it was divided by is the kernel's valu
   CHECK(level.f.x == evaluate_chiang(fibre, view, fibre_direction_of(glm::dvec3(0.0, 1.0, 0.0))).value[0]);
 }
 
+TEST_CASE("the lobes' weights sum to 1 within 3e-7 for any fibre and view, or are all 0 where nothing leaves") {
+  test::worst_case worst;
+  int black = 0;
+  for (int i = 0; i < 60000; ++i) {
+    const auto p = test::even_point<6>(i);
+    const double eta = i % 7 == 0 ? 1.0 : i % 5 == 0 ? 1.0 + test::on_log_scale(p[0], 1e-7, 1.0) : 1.0 + 2.0 * p[0];
+    const auto sigma = [&](double u,
+                           int kind) {  // none, from denormal to huge, about where the last light goes, common
+      const std::array<double, 4> all{0.0, test::on_log_scale(u, 1e-45, 1e30), test::on_log_scale(u, 1.0, 200.0),
+                                      10.0 * u};
+      return static_cast<float>(all[static_cast<std::size_t>(kind % 4)]);
+    };
+    const float h = i % 11 == 0 ? 1.0f : i % 11 == 1 ? -1.0f : static_cast<float>(2.0 * p[4] - 1.0);
+    const float x = i % 13 == 0 ? 1.0f : i % 13 == 1 ? -1.0f : static_cast<float>(2.0 * p[5] - 1.0);
+    const auto fibre = make_chiang_fibre<float>(
+        {static_cast<float>(eta), {sigma(p[1], i), sigma(p[2], i / 4), sigma(p[3], i / 16)}, 0.3f, 0.3f, 0.0f});
+    const auto weights = view_chiang(fibre, h, fibre_direction_of(x, std::sqrt((1.0f - x) * (1.0f + x)), 0.0f)).weights;
+    double sum = 0.0;
+    for (const float weight : weights) {
+      REQUIRE((weight >= 0.0f && weight <= 1.000001f));
+      sum += weight;
+    }
+    black += sum == 0.0 ? 1 : 0;
+    if (sum != 0.0)
+      worst.see(std::abs(sum - 1.0), {eta, h, x, sigma(p[1], i), sigma(p[2], i / 4), sigma(p[3], i / 16)});
+  }
+  CHECK_MESSAGE(worst.error < 3e-7, worst);
+  CHECK(black > 0);
+}
+
 TEST_CASE("tints scale their lobe alone") {
   auto fibre = make_chiang_fibre<double>({1.55, {0.2, 0.4, 0.9}, 0.3, 0.3, 0.03});
   fibre.tints = {0.0, 1.0, 0.0, 0.0};

@@ -54,7 +54,7 @@ struct chiang_view {
   std::array<Real, 3> flipped;                     ///< 1 where that took the sign from the cosine, else 0
   std::array<rotation<Real>, 3> towards;           ///< the middle of each lobe round the fibre, any length
   std::array<std::array<Real, 3>, 4> attenuation;  ///< A_p for red, green, blue; R, TT, TRT, residual
-  std::array<Real, 4> weights;                     ///< probabilities of the lobes: means of A_p over their sum, or 0
+  std::array<Real, 4> weights;  ///< probabilities of the lobes: means of A_p over their sum; all 0 if that is
 };
 
 /// Light scattered from one direction to the eye.

@@ -47,7 +47,7 @@ struct pelage_chiang_view {
   float flipped[3];            ///< 1 where that took the sign from the cosine, else 0
   pelage_rotation towards[3];  ///< the middle of each lobe round the fibre, any length
   float attenuation[4][3];     ///< A_p for red, green, blue; R, TT, TRT, residual
-  float weights[4];            ///< probabilities of the lobes: means of A_p over their sum, or 0
+  float weights[4];            ///< probabilities of the lobes: means of A_p over their sum; all 0 if that is
 };
 
 /// Light scattered from one direction to the eye.
