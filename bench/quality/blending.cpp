@@ -71,7 +71,7 @@ glm::vec3 by_deep_opacity(const pixel& p, bool corrected) {
 
 /// The paper's own weight: the order is counted, and all fragments have the mean alpha.
 glm::vec3 by_counted_order(const pixel& p) {
-  const auto position = [&](const layer& l) { return slice_position(p.t.range.relative(l.where.depth), 127U); };
+  const auto position = [&](const layer& l) { return slice_position(p.t.range.relative(l.where.depth), 128U); };
   occupancy_map<> map = occupancy_map<>::empty();
   float mean = 0.0F;
   for (const layer& l : p.layers) {

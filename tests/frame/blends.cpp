@@ -99,7 +99,7 @@ TEST_CASE("order-weighted blending is sorting where alphas are equal and no slic
     const float alpha = any_float(0.01F, 0.9F);
     layers all;
     for (const std::uint32_t slice : slices) {
-      const float inside = slice == 0 || slice == 127 ? 0.0F : 0.5F;  // the ends of the range are whole slices apart
+      const float inside = slice == 0 ? 0.0F : slice == 127 ? 1.0F : 0.5F;  // from one end of the range to the other
       all.push_back(any_layer(slice, 3.0F + static_cast<float>(slice) + inside, alpha));
     }
     const glm::vec3 background = any_vec3(0.0F, 2.0F);

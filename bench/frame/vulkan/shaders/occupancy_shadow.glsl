@@ -11,7 +11,7 @@ float transmittance_at(uint texel, float depth, bool among_fibres) {
     return 0.0;
   }
   const occupancy o = load_occupancy(texel);
-  const float before = pelage_occupancy_map_amount_before(o.map, light_position(o.range, depth));
+  const float before = pelage_occupancy_map_amount_before(o.map, map_position(o.range, depth));
   return pelage_transmittance_of(before);
 }
 

@@ -16,10 +16,10 @@ void visit(uint i, uint pixel, segment_in_pixel where) {
 #ifdef FOR_CAMERA
   sink_go_to(pixel);
   const seen_fibre fibre = see(i, where);
-  const float position = camera_position(load_range(texel), where.depth);
+  const float position = map_position(load_range(texel), where.depth);
   occupy(texel, position, pelage_optical_depth(fibre.opacity * fibre.coverage));
 #else
-  occupy(texel, light_position(load_range(texel), where.depth), fragment_of(i, where).id);
+  occupy(texel, map_position(load_range(texel), where.depth), fragment_of(i, where).id);
 #endif
 }
 
