@@ -69,8 +69,9 @@ template <real_number Real>
 template <real_number Real>
 [[nodiscard]] Real azimuthal_scale(Real beta_n) noexcept;
 
-/// The roughness β_m whose lobe has the standard deviation `width` in radians, (0, 0.9]: the inverse of
-/// longitudinal_variance, for widths measured as in Marschner's model. Outside the range: the nearer end's roughness.
+/// The roughness β_m whose lobe has the standard deviation `width` in radians, (0, 5.238]: the inverse of
+/// longitudinal_variance, for widths measured as in Marschner's model, within 3e-7 in float and 1e-11 in double.
+/// Outside the range: the nearer end's roughness.
 template <std::floating_point Real>
 [[nodiscard]] Real roughness_of_width(Real width) noexcept;
 
