@@ -33,6 +33,7 @@
 #include <pelage/composite/order_weighted.hpp>
 #include <pelage/composite/over.hpp>
 #include <pelage/composite/radiance.hpp>
+#include <pelage/composite/sliced_tail.hpp>
 #include <pelage/composite/stochastic.hpp>
 #include <pelage/composite/tail.hpp>
 #include <pelage/composite/transmittance.hpp>
@@ -216,6 +217,10 @@ template divided_pixel<float> add_fibre(const divided_pixel<float>&, bool, const
 template vec3 resolve(const divided_pixel<float>&, const divided_backdrop<float>&) noexcept;
 template void atomic_tail::add(cells&, std::uint32_t, const tail&) noexcept;
 template tail atomic_tail::load(const cells&, std::uint32_t) noexcept;
+template struct sliced_tail<16u>;
+template struct sliced_tail<13u>;
+template pixel_radiance<float> add_sliced_tail(const pixel_radiance<float>&, const sliced_tail<16u>&) noexcept;
+template pixel_radiance<float> add_sliced_tail(const pixel_radiance<float>&, const sliced_tail<13u>&) noexcept;
 template struct stochastic_depths<16u>;
 template struct stochastic_depths<13u>;
 template void atomic_stochastic_depths::add<stochastic_depths<16u>>(cells&, std::uint32_t, fragment, float,

@@ -167,6 +167,12 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
                  "how fragments become a pixel: k_buffer, exact, order_weighted, weighted_average, weighted_blended, "
                  "depth_peeling or stochastic:N with N samples, 1 to 64; --k and --order are k_buffer's")
       ->capture_default_str();
+  CLI::Option* tail =
+      app.add_option(
+             "--tail", c.tail,
+             "what k_buffer's blending keeps of what is not among the K nearest: mean, none, or sliced:N for the "
+             "mean of each of N slices of depth, 2 to 64; on the CPU alone")
+          ->capture_default_str();
   app.add_option("--components", shown, "what is drawn")
       ->check(CLI::IsMember(names(component_names)))
       ->capture_default_str();
@@ -207,11 +213,16 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   s.shadow = parse_shadow(c.shadow);
   s.blend = parse_blend(c.blend);
   s.blend.seed = static_cast<std::uint32_t>(c.seed ^ (c.seed >> 32U));
+  s.tails = parse_tail(c.tail);
   s.shown = component_names.at(shown);
   s.antialias = antialias == "on";
   read_look(look, s.look);
   s.on_bust = c.hair.empty();
   c.on_device = device == "vulkan";
+  if (tail->count() > 0 && s.blend.method != blend_method::k_buffer) {
+    throw std::invalid_argument("--tail needs --blend k_buffer");
+  }
+  if (c.on_device && s.tails != 1) throw std::invalid_argument("--tail: --device vulkan keeps the mean");
   check_drawn_on(c.on_device, spacing, s.shading_spacing, frames);
   for (const std::string& text : lights)
     s.lights.push_back(parse_light(text));

@@ -23,6 +23,7 @@ struct command_line {
   std::uint32_t frames = 1;         ///< that a device draws, to be timed
   std::string shadow = "k_buffer";  ///< as parse_shadow() reads it
   std::string blend = "k_buffer";   ///< as parse_blend() reads it
+  std::string tail = "mean";        ///< as parse_tail() reads it
   std::string out = "out/frame.png";
   std::string report;   ///< a JSON file; empty: none
   std::string compare;  ///< a PNG; empty: none

@@ -61,7 +61,7 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const double prepared = seconds_since(pass_start);
   const backdrop behind(set.eye, world, settings.antialias);
   const shaded_fibres shades(world, fragments, behind.limit(), settings.shading_spacing);
-  camera_film film(fragments, behind, shades, settings.shown);
+  camera_film film(fragments, behind, shades, settings.shown, settings.tails);
   const double shaded = seconds_since(pass_start) - prepared;
   const order_report report = draw_on(film, settings.blend, fragments, options);
   result.picture = film.picture();

@@ -27,6 +27,8 @@ struct frame_settings {
   std::uint32_t k = 16;  ///< one of compiled_k
   shadow_choice shadow;
   blend_choice blend;
+  std::uint32_t tails = 1;  ///< a pixel's, of k_buffer's blending, [0, 256]: 0 loses what is behind the K nearest, 1
+                            ///< keeps its mean, more keep one a slice of the depths that are seen
   components shown = components::full;
   fibre_look look;               ///< how fibres scatter light
   float shading_spacing = 8.0F;  ///< pixels between the places of a segment that are shaded, [0, inf]; 0: each fragment

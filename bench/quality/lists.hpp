@@ -27,8 +27,8 @@ class lists final : public pixel_visitor {
       first_.push_back(first_.back() + n);
     all_.resize(first_.back());
   }
-  void lose(int, int, std::span<const pixel_fragment>, tail&) override {}
-  void finish(int x, int y, std::span<const pixel_fragment> nearest, const tail&) override {
+  void lose(int, int, std::span<const pixel_fragment>, std::span<tail>) override {}
+  void finish(int x, int y, std::span<const pixel_fragment> nearest, std::span<const tail>) override {
     sample* out = all_.data() + first_[static_cast<std::size_t>(y * from_.from().width + x)];
     for (const pixel_fragment& f : nearest)
       *out++ = {f.depth, f.coverage, f.id};

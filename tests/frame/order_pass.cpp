@@ -45,14 +45,20 @@ tail with(const tail& behind, const pixel_fragment& lost) {
   return add_fragment(behind, lost.coverage, colour);
 }
 
-std::vector<std::uint32_t> page_of(std::span<const pixel_fragment> nearest, const tail& behind) {
+/// The pixel's tail that a recorder puts a fragment into.
+std::size_t tail_of(const pixel_fragment& lost, std::size_t tails) {
+  return lost.id % tails;
+}
+
+std::vector<std::uint32_t> page_of(std::span<const pixel_fragment> nearest, std::span<const tail> behind) {
   std::vector<std::uint32_t> page;
   for (const pixel_fragment& f : nearest) {
     for (const float value : {f.depth, f.coverage, f.along})
       page.push_back(std::bit_cast<std::uint32_t>(value));
     page.push_back(f.id);
   }
-  page.insert(page.end(), {behind.optical, behind.weight, behind.red, behind.green, behind.blue});
+  for (const tail& t : behind)
+    page.insert(page.end(), {t.optical, t.weight, t.red, t.green, t.blue});
   return page;
 }
 
@@ -62,14 +68,20 @@ struct recorder : pixel_visitor {
   std::vector<std::uint32_t> expected;
   pages written;
 
-  explicit recorder(const raster& r) : from(r), written(pixels_of(r)) {}
+  std::size_t tails_a_pixel;
+
+  explicit recorder(const raster& r, std::size_t tails = 1) : from(r), written(pixels_of(r)), tails_a_pixel(tails) {}
 
   void expect(std::span<const std::uint32_t> counts) override { expected.assign(counts.begin(), counts.end()); }
-  void lose(int, int, std::span<const pixel_fragment> lost, tail& behind) override {
-    for (const pixel_fragment& f : lost)
-      behind = with(behind, f);
+  [[nodiscard]] std::size_t tails() const override { return tails_a_pixel; }
+  void lose(int, int, std::span<const pixel_fragment> lost, std::span<tail> behind) override {
+    if (behind.size() != tails_a_pixel) throw std::logic_error("a pixel has another number of tails");
+    for (const pixel_fragment& f : lost) {
+      tail& t = behind[tail_of(f, tails_a_pixel)];
+      t = with(t, f);
+    }
   }
-  void finish(int x, int y, std::span<const pixel_fragment> nearest, const tail& behind) override {
+  void finish(int x, int y, std::span<const pixel_fragment> nearest, std::span<const tail> behind) override {
     std::vector<std::uint32_t>& page = written[pixel_of(from, x, y)];
     if (!page.empty()) throw std::logic_error("a pixel is finished twice");
     page = page_of(nearest, behind);
@@ -95,14 +107,16 @@ bool nearer(const pixel_fragment& a, const pixel_fragment& b) {
 }
 
 /// What a pass has to leave: the first K of the sorted fragments, and the others in the tail.
-pages truth(const raster& from, std::span<const float> limit, std::size_t k) {
+pages truth(const raster& from, std::span<const float> limit, std::size_t k, std::size_t tails = 1) {
   pages pages;
   for (std::vector<pixel_fragment>& list : arrivals(from, limit, {})) {
     std::sort(list.begin(), list.end(), nearer);
     const std::size_t kept = std::min(k, list.size());
-    tail behind = empty_tail();
-    for (std::size_t i = kept; i < list.size(); ++i)
-      behind = with(behind, list[i]);
+    std::vector<tail> behind(tails, empty_tail());
+    for (std::size_t i = kept; i < list.size(); ++i) {
+      tail& t = behind[tail_of(list[i], tails)];
+      t = with(t, list[i]);
+    }
     pages.push_back(page_of(std::span(list).first(kept), behind));
   }
   return pages;
@@ -125,8 +139,8 @@ hair_model doubled(const hair_model& once) {
   return twice;
 }
 
-TEST_CASE("every method leaves the K nearest in order and the rest in the tail, whoever comes first") {
-  holds("any fibres, limit, K, order of drawing and number of threads", [] {
+TEST_CASE("every method leaves the K nearest in order and the rest in its tails, whoever comes first") {
+  holds("any fibres, limit, K, number of tails, order of drawing and number of threads", [] {
     const hair_model model = model_of(any_lines(8, glm::vec3(0.0F), 1.0F), any_float(0.0F, 0.1F), 1.0F);
     const strands fibres = prepare_strands(doubled(model), {});
     const view v = any_perspective(3.0F, 0.1F);
@@ -139,6 +153,7 @@ TEST_CASE("every method leaves the K nearest in order and the rest in the tail, 
     const auto seed = *rc::gen::arbitrary<std::uint32_t>();
     const std::vector<std::uint32_t> order = shuffled(fibres.segment_count(), seed);
     const std::uint32_t k = *rc::gen::elementOf(compiled_k);
+    const std::size_t tails = *rc::gen::element<std::size_t>(1, 2, 5);
     const int count = *rc::gen::element(1, 2, 4);
 
     std::vector<std::uint32_t> counts;
@@ -147,10 +162,10 @@ TEST_CASE("every method leaves the K nearest in order and the rest in the tail, 
       counts.push_back(static_cast<std::uint32_t>(list.size()));
       beyond_k += list.size() > k ? list.size() - k : 0;
     }
-    const pages first_k = truth(from, limit, k);
-    const pages all = truth(from, limit, 0xffffffff);
+    const pages first_k = truth(from, limit, k, tails);
+    const pages all = truth(from, limit, 0xffffffff, tails);
     for (const order_method method : all_methods) {
-      recorder seen(from);
+      recorder seen(from, tails);
       const order_report report = run_on(count, from, limit, {method, k, order}, seen);
       RC_ASSERT(seen.written == (keeps_all(method) ? all : first_k));
       RC_ASSERT(seen.expected == (keeps_all(method) ? counts : std::vector<std::uint32_t>{}));

@@ -67,7 +67,7 @@ order_report draw_by_peeling(camera_film& film, const raster& from, const order_
       peeled.push_back(from.at(next.id, x, y));
       peeling.advance();
     }
-    film.finish(x, y, peeled, empty_tail());
+    film.finish(x, y, peeled, {});
   });
 }
 
@@ -89,6 +89,14 @@ blend_choice parse_blend(const std::string& text) {
   }
   given.without_argument();
   return {found->second};
+}
+
+std::uint32_t parse_tail(const std::string& text) {
+  const method_text given("--tail", text);
+  if (given.word() == "sliced") return given.one_of(tail_slices, "slices");
+  if (given.word() != "none" && given.word() != "mean") given.fail("not none, mean or sliced:N");
+  given.without_argument();
+  return given.word() == "none" ? 0 : 1;
 }
 
 order_report draw_on(camera_film& film, const blend_choice& choice, const raster& from, const order_options& order) {

@@ -35,6 +35,13 @@ struct blend_choice {
 /// "stochastic:N"; the seed is another option's. Throws std::invalid_argument with one line that says what is wrong.
 [[nodiscard]] blend_choice parse_blend(const std::string& text);
 
+/// Slices that a pixel's tails can be cut into.
+inline constexpr std::array<std::uint32_t, 6> tail_slices{2, 4, 8, 16, 32, 64};
+
+/// How many tails a pixel has: reads "none" as 0, "mean" as 1, "sliced:N" as N, one of tail_slices. Throws as
+/// parse_blend() does.
+[[nodiscard]] std::uint32_t parse_tail(const std::string& text);
+
 /// Draws all fragments of a raster, the film's own, on the film. `order` says how k_buffer finds its fragments, and the
 /// order of drawing for all. Throws as run_order_pass() does.
 order_report draw_on(camera_film& film, const blend_choice& choice, const raster& from, const order_options& order);

@@ -103,9 +103,9 @@ class pixel_resolver {
 
   /// Empties both lists for the next pixel.
   void finish(const order_job& work, int x, int y) {
-    tail behind = empty_tail();
-    if (!lost.empty()) work.visitor.lose(x, y, look_up(work, x, y, lost), behind);
-    work.visitor.finish(x, y, look_up(work, x, y, nearest), behind);
+    behind_.assign(work.visitor.tails(), empty_tail());
+    if (!lost.empty()) work.visitor.lose(x, y, look_up(work, x, y, lost), behind_);
+    work.visitor.finish(x, y, look_up(work, x, y, nearest), behind_);
     nearest.clear();
     lost.clear();
   }
@@ -119,6 +119,7 @@ class pixel_resolver {
   }
 
   std::vector<pixel_fragment> seen_;
+  std::vector<tail> behind_;
 };
 
 /// Calls `run` with K as a std::integral_constant. Throws std::invalid_argument for one that is not compiled.

@@ -13,7 +13,7 @@ namespace pelage::frame {
 void pixel_visitor::lose_lanes(const drawn_fragments& lost, const std::array<std::uint32_t, raster::width>& tail_of,
                                std::span<tail> behind) {
   for_each_drawn(lost, [&](std::size_t k, int x, int y, const pixel_fragment& f) {
-    lose(x, y, std::span(&f, 1), behind[tail_of[k]]);
+    lose(x, y, std::span(&f, 1), behind.subspan(tail_of[k], tails()));
   });
 }
 

@@ -5,6 +5,7 @@
 #include <pelage/core/fragment.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -35,17 +36,20 @@ class pixel_visitor {
   /// How many fragments each pixel has, before any other call; only from the methods that keep all of them.
   virtual void expect(std::span<const std::uint32_t> fragments_per_pixel) = 0;
 
-  /// Fragments that are not among the K nearest go to the pixel's tail: in any order, any number at a time, and
-  /// before finish().
-  virtual void lose(int x, int y, std::span<const pixel_fragment> lost, tail& behind) = 0;
+  /// How many tails a pixel has, all empty at first. The same at every call.
+  [[nodiscard]] virtual std::size_t tails() const { return 1; }
 
-  /// The same for fragments of any pixels, all of one thread; that of lane k goes to the tail behind[tail_of[k]]. At
-  /// least one lane is set; those that are not hold the number of some segment.
+  /// Fragments that are not among the K nearest go to the pixel's tails: in any order, any number at a time, and
+  /// before finish().
+  virtual void lose(int x, int y, std::span<const pixel_fragment> lost, std::span<tail> behind) = 0;
+
+  /// The same for fragments of any pixels, all of one thread; lane k's pixel has the tails from behind[tail_of[k]] on.
+  /// At least one lane is set; those that are not hold the number of some segment.
   virtual void lose_lanes(const drawn_fragments& lost, const std::array<std::uint32_t, raster::width>& tail_of,
                           std::span<tail> behind);
 
-  /// The pixel's fragments, nearest first, and its tail. Once a pixel, pixels without fragments included.
-  virtual void finish(int x, int y, std::span<const pixel_fragment> nearest, const tail& behind) = 0;
+  /// The pixel's fragments, nearest first, and its tails. Once a pixel, pixels without fragments included.
+  virtual void finish(int x, int y, std::span<const pixel_fragment> nearest, std::span<const tail> behind) = 0;
 };
 
 /// What a pass did and what it took.

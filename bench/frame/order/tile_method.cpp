@@ -38,7 +38,8 @@ class tile_worker {
     std::fill(held_.begin(), held_.end(), 0);
     std::fill(last_key_.begin(), last_key_.end(), depth_key(no_fragment().depth));
     std::fill(last_id_.begin(), last_id_.end(), no_fragment().id);
-    std::fill(behind_.begin(), behind_.end(), empty_tail());
+    tails_ = work.visitor.tails();
+    behind_.assign(pixels * tails_, empty_tail());
     knows_last_ = false;
     work.for_each_visible_lanes(segments, rect, [&](drawn_fragments found) {
       const floats infinite(std::numeric_limits<float>::infinity());
@@ -63,9 +64,10 @@ class tile_worker {
     }
   }
 
-  [[nodiscard]] static constexpr std::size_t bytes() {
+  [[nodiscard]] std::size_t bytes() const {
     return capacity * (sizeof(std::uint16_t) + sizeof(pixel_fragment) + sizeof(fragment)) +
-           pixels * (K * (sizeof(pixel_fragment) + sizeof(fragment)) + 5 * sizeof(std::uint32_t) + sizeof(tail));
+           pixels * (K * (sizeof(pixel_fragment) + sizeof(fragment)) + 5 * sizeof(std::uint32_t)) +
+           behind_.size() * sizeof(tail);
   }
 
  private:
@@ -91,9 +93,13 @@ class tile_worker {
     __builtin_memcpy(tail_of.data(), &pixel, sizeof(pixel));
     for (std::uint32_t left = all.set; left != 0; left &= left - 1U)
       ++count_[tail_of[static_cast<std::size_t>(std::countr_zero(left))]];
+    const integers first = pixel * static_cast<int>(tails_);
+    __builtin_memcpy(tail_of.data(), &first, sizeof(first));
     work.visitor.lose_lanes(all, tail_of, behind_);
     return all.set;
   }
+
+  [[nodiscard]] std::span<tail> tails_of(std::size_t p) { return std::span(behind_).subspan(p * tails_, tails_); }
 
   void flush(const order_job& work, const pixel_rect& rect) {
     const std::span<const std::uint16_t> pixel_of = std::span(pixel_of_).first(arrived_count_);
@@ -153,7 +159,7 @@ class tile_worker {
     if (going == 0) return;
     const int side = tiles::side;
     work.visitor.lose(rect.x0 + static_cast<int>(p) % side, rect.y0 + static_cast<int>(p) / side,
-                      std::span(lost).first(going), behind_[p]);
+                      std::span(lost).first(going), tails_of(p));
   }
 
   /// Puts what the pixel holds in order: a fragment's place is the number of those before it.
@@ -175,7 +181,7 @@ class tile_worker {
     fragments += count;
     behind += count_[p];
     longest = std::max(longest, count);
-    work.visitor.finish(x, y, std::span(sorted).first(kept.size()), behind_[p]);
+    work.visitor.finish(x, y, std::span(sorted).first(kept.size()), tails_of(p));
   }
 
   bool knows_last_ = false;  ///< of any pixel's K nearest
@@ -189,7 +195,8 @@ class tile_worker {
   std::vector<std::uint32_t> last_key_ = std::vector<std::uint32_t>(pixels);  ///< depth_key() of the K-th nearest
   std::vector<std::uint32_t> last_id_ = std::vector<std::uint32_t>(pixels);   ///< and its id
   std::vector<pixel_fragment> kept_ = std::vector<pixel_fragment>(pixels * K);
-  std::vector<tail> behind_ = std::vector<tail>(pixels);
+  std::size_t tails_ = 1;     ///< of a pixel
+  std::vector<tail> behind_;  ///< pixel after pixel
 };
 
 template <std::uint32_t K>
@@ -200,13 +207,14 @@ void run_tiles(order_job& work) {
   tbb::enumerable_thread_specific<tile_worker<K>> workers;
   tbb::parallel_for(0, bins.count(), [&](int t) { workers.local().run(work, bins.rect(t), bins.segments(t)); });
   work.report.build_seconds = watch.lap();
+  work.report.bytes = bins.bytes();
   for (const tile_worker<K>& one : workers) {
     work.report.fragments += one.fragments;
     work.report.behind += one.behind;
     work.report.refused += one.refused;
     work.report.longest = std::max(work.report.longest, one.longest);
+    work.report.bytes += one.bytes();
   }
-  work.report.bytes = bins.bytes() + workers.size() * tile_worker<K>::bytes();
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include "frame/raster/raster.hpp"
 
 #include <pelage/coverage/segment_quad.hpp>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +41,28 @@ pixel_rect raster::bounds(std::uint32_t segment) const {
   const outline<float> found = near.fails > 0.0F ? wide_outline_of(segment) : near;
   return {static_cast<int>(found.x0), static_cast<int>(found.y0), static_cast<int>(found.x1),
           static_cast<int>(found.y1)};
+}
+
+depth_range raster::seen_depths(std::span<const float> limit) const {
+  const auto width = static_cast<float>(view_.width);
+  const auto height = static_cast<float>(view_.height);
+  const auto extended = [&](const tbb::blocked_range<std::size_t>& some, depth_range range) {
+    for (std::size_t i = some.begin(); i < some.end(); ++i) {
+      const glm::vec2 at = pixel_of(point_[i]);
+      const float depth = -point_[i].z;
+      if (!(at.x >= 0.0F && at.x < width && at.y >= 0.0F && at.y < height && depth >= view_.near_plane)) continue;
+      const auto pixel =
+          static_cast<std::size_t>(at.y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(at.x);
+      if (limit.empty() || !(depth >= limit[pixel])) range.extend(depth);
+    }
+    return range;
+  };
+  const auto merged = [](depth_range a, const depth_range& b) {
+    a.merge(b);
+    return a;
+  };
+  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, point_.size()), depth_range::empty(), extended,
+                              merged);
 }
 
 outline<float> raster::wide_outline_of(std::uint32_t segment) const {

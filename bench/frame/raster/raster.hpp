@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/lanes.hpp>
+#include <pelage/visibility/depth_range.hpp>
 
 #include <glm/glm.hpp>
 #include <algorithm>
@@ -59,6 +60,10 @@ class raster {
 
   /// A view depth that none of the segment's fragments lies before, rounding apart.
   [[nodiscard]] float nearest_depth(std::uint32_t segment) const;
+
+  /// The depths between the nearest and the farthest point in the view and before `limit` (view depth, one a pixel; or
+  /// empty): nearly those of the fragments, known before them. O(points), parallel.
+  [[nodiscard]] depth_range seen_depths(std::span<const float> limit) const;
 
   /// From end to end in pixels; an end nearer than the near plane is taken to lie on it.
   [[nodiscard]] float length_on_screen(std::uint32_t segment) const {

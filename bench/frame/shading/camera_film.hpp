@@ -33,17 +33,21 @@ enum class components {
 /// composited apart from what it sees before it.
 class camera_film final : public pixel_visitor {
  public:
-  /// `behind`, `shades`: of the raster's eye. All references must outlive the film.
-  camera_film(const raster& from, const backdrop& behind, const shaded_fibres& shades, components shown);
+  /// `behind`, `shades`: of the raster's eye. `slices`: of the depths that are seen, each with tails of its own for what
+  /// is not among a pixel's K nearest; 0: that is lost. All references must outlive the film.
+  camera_film(const raster& from, const backdrop& behind, const shaded_fibres& shades, components shown,
+              std::uint32_t slices = 1);
 
   /// See backdrop::limit().
   [[nodiscard]] std::span<const float> limit() const { return behind_.limit(); }
 
   void expect(std::span<const std::uint32_t> fragments_per_pixel) override { (void)fragments_per_pixel; }
-  void lose(int x, int y, std::span<const pixel_fragment> lost, tail& behind) override;
+  /// For each slice one for what lies before an object's edge, then as many for what lies behind it.
+  [[nodiscard]] std::size_t tails() const override { return 2 * std::size_t{slices_}; }
+  void lose(int x, int y, std::span<const pixel_fragment> lost, std::span<tail> behind) override;
   void lose_lanes(const drawn_fragments& lost, const std::array<std::uint32_t, raster::width>& tail_of,
                   std::span<tail> behind) override;
-  void finish(int x, int y, std::span<const pixel_fragment> nearest, const tail& behind) override;
+  void finish(int x, int y, std::span<const pixel_fragment> nearest, std::span<const tail> behind) override;
 
   /// For methods that blend in another way than finish(): `blend(std::span<const layer>, background)` gives what is
   /// seen of a pixel's fragments as layers, in the order in which they come, before a background. Where an edge divides
@@ -56,13 +60,15 @@ class camera_film final : public pixel_visitor {
  private:
   [[nodiscard]] std::size_t index(int x, int y) const;
   [[nodiscard]] float opacity(const pixel_fragment& f) const;
+  [[nodiscard]] std::uint32_t slice_of(float depth) const;
 
   const raster& from_;
   const backdrop& behind_;
   const shaded_fibres& shades_;
   components shown_;
-  std::vector<tail> behind_edge_;  ///< of each pixel, what is lost of the fragments behind its edge
-  image picture_;                  ///< what is behind the fibres, until a pixel is finished
+  std::uint32_t slices_;
+  depth_range depths_;  ///< that the slices divide
+  image picture_;       ///< what is behind the fibres, until a pixel is finished
 };
 
 // ---------------------------------------------------------------------------------------------------------

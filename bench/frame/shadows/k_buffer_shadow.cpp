@@ -14,7 +14,7 @@ k_buffer_shadow::k_buffer_shadow(const raster& from, const solids& opaque, bool 
     : shadow_map(from, opaque, translucent), texel_(texels(), texel{{}, 0, 0.0F}) {
 }
 
-void k_buffer_shadow::lose(int x, int y, std::span<const pixel_fragment> lost, tail& behind) {
+void k_buffer_shadow::lose(int x, int y, std::span<const pixel_fragment> lost, std::span<tail> behind) {
   texel& t = texel_[index(x, y)];
   lanes<fragment_lanes::width, std::uint32_t> optical{};
   lanes<fragment_lanes::width, std::uint32_t> coverage{};
@@ -24,8 +24,9 @@ void k_buffer_shadow::lose(int x, int y, std::span<const pixel_fragment> lost, t
     coverage = add_saturating(coverage, to_fixed(f.coverage));
     farthest = greatest(f.depth, farthest);
   });
-  behind.optical = add_saturating(behind.optical, sum_saturating(optical));
-  behind.weight = add_saturating(behind.weight, sum_saturating(coverage));
+  tail& sum = behind.front();
+  sum.optical = add_saturating(sum.optical, sum_saturating(optical));
+  sum.weight = add_saturating(sum.weight, sum_saturating(coverage));
   for (int k = 0; k < fragment_lanes::width; ++k)
     t.farthest = std::max(t.farthest, farthest.lane[k]);
 }
@@ -43,11 +44,11 @@ void k_buffer_shadow::lose_lanes(const drawn_fragments& lost, const std::array<s
   });
 }
 
-void k_buffer_shadow::finish(int x, int y, std::span<const pixel_fragment> nearest, const tail& behind) {
+void k_buffer_shadow::finish(int x, int y, std::span<const pixel_fragment> nearest, std::span<const tail> behind) {
   texel& t = texel_[index(x, y)];
-  t.behind = behind.optical;
+  t.behind = behind.front().optical;
   std::uint32_t optical = 0;
-  std::uint32_t coverage = behind.weight;
+  std::uint32_t coverage = behind.front().weight;
   const std::span<entry> kept = nearest.empty() ? std::span<entry>() : entries_.take(nearest.size());
   t.nearest = kept;
   auto out = kept.begin();
@@ -56,7 +57,7 @@ void k_buffer_shadow::finish(int x, int y, std::span<const pixel_fragment> neare
     coverage = add_saturating(coverage, to_fixed(f.coverage));
     *out++ = entry{f.depth, optical};
   }
-  set_sums(index(x, y), coverage, add_saturating(optical, behind.optical));
+  set_sums(index(x, y), coverage, add_saturating(optical, t.behind));
 }
 
 float k_buffer_shadow::optical_before(std::size_t t, float depth) const {

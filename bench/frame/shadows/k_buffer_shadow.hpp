@@ -21,10 +21,10 @@ class k_buffer_shadow final : public shadow_map, public pixel_visitor {
   k_buffer_shadow(const raster& from, const solids& opaque, bool translucent = true);
 
   void expect(std::span<const std::uint32_t>) override {}
-  void lose(int x, int y, std::span<const pixel_fragment> lost, tail& behind) override;
+  void lose(int x, int y, std::span<const pixel_fragment> lost, std::span<tail> behind) override;
   void lose_lanes(const drawn_fragments& lost, const std::array<std::uint32_t, raster::width>& tail_of,
                   std::span<tail> behind) override;
-  void finish(int x, int y, std::span<const pixel_fragment> nearest, const tail& behind) override;
+  void finish(int x, int y, std::span<const pixel_fragment> nearest, std::span<const tail> behind) override;
 
  private:
   struct entry {
