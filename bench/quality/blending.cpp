@@ -4,6 +4,7 @@
 
 #include <pelage/composite/order_weighted.hpp>
 #include <pelage/composite/radiance.hpp>
+#include <pelage/composite/sliced_tail.hpp>
 #include <pelage/composite/stochastic.hpp>
 #include <pelage/composite/weighted_sum.hpp>
 #include <pelage/core/mixed_bits.hpp>
@@ -34,8 +35,8 @@ struct pixel {
 
 constexpr glm::vec3 background(0.8F);
 
-/// The first k sorted, the others as their tail; k from the list's length on: the truth.
-glm::vec3 by_nearest(const pixel& p, std::size_t k) {
+/// The first k sorted, the others as their tail, or lost [Yu12]; k from the list's length on: the truth.
+glm::vec3 by_nearest(const pixel& p, std::size_t k, bool has_tail = true) {
   pixel_radiance<float> sum = empty_pixel<float>();
   tail behind = empty_tail();
   for (std::size_t i = 0; i < p.layers.size(); ++i) {
@@ -46,8 +47,24 @@ glm::vec3 by_nearest(const pixel& p, std::size_t k) {
       behind = add_fragment(behind, l.alpha, l.radiance);
     }
   }
-  sum = add_tail(sum, behind);
+  if (has_tail) sum = add_tail(sum, behind);
   return resolve(sum, background);
+}
+
+/// The first K sorted over a tail for each of some slices of the view's depths.
+template <std::size_t K, std::uint32_t Slices>
+glm::vec3 by_nearest_and_slices(const pixel& p) {
+  pixel_radiance<float> sum = empty_pixel<float>();
+  auto behind = sliced_tail<Slices>::empty();
+  for (std::size_t i = 0; i < p.layers.size(); ++i) {
+    const layer& l = p.layers[i];
+    if (i < K) {
+      sum = add_fibre(sum, l.radiance, glm::vec3(0.0F), l.alpha);
+    } else {
+      behind.add(slice_position(p.t.whole.relative(l.where.depth), Slices), l.alpha, l.radiance);
+    }
+  }
+  return resolve(add_sliced_tail(sum, behind), background);
 }
 
 /// Weighs each fragment by what 32 layers between the pixel's nearest and farthest depth let through to it.
@@ -80,9 +97,21 @@ glm::vec3 by_counted_order(const pixel& p) {
   }
   tail sum = empty_tail();
   for (const layer& l : p.layers) {
-    const float before = mean > 0.0F ? order_weight(mean, map.amount_before_fragment(position(l))) / mean : 1.0F;
+    const float before = mean > 0.0F ? order_weight(mean, map.interpolated_before_fragment(position(l))) / mean : 1.0F;
     sum = add_weighted(sum, l.alpha, l.alpha * before, l.radiance);
   }
+  return resolve(sum, background);
+}
+
+/// The order of whole slices, which the paper's interpolation is compared with.
+glm::vec3 by_whole_slices(const pixel& p) {
+  const auto position = [&](const layer& l) { return slice_position(p.t.range.relative(l.where.depth), 128U); };
+  occupancy_map<> map = occupancy_map<>::empty();
+  for (const layer& l : p.layers)
+    map.add(position(l), optical_depth(l.alpha));
+  tail sum = empty_tail();
+  for (const layer& l : p.layers)
+    sum = add_weighted(sum, l.alpha, optical_weight(l.alpha, map.amount_before_fragment(position(l))), l.radiance);
   return resolve(sum, background);
 }
 
@@ -101,10 +130,17 @@ const std::vector<blending> blendings{
     {"K-buffer 8", [](const pixel& p) { return by_nearest(p, 8); }},
     {"K-buffer 16", [](const pixel& p) { return by_nearest(p, 16); }},
     {"K-buffer 32", [](const pixel& p) { return by_nearest(p, 32); }},
+    {"K-buffer 16, no tail", [](const pixel& p) { return by_nearest(p, 16, false); }},
+    {"K-buffer 16, 4 slices", by_nearest_and_slices<16, 4>},
+    {"K-buffer 16, 8 slices", by_nearest_and_slices<16, 8>},
+    {"K-buffer 16, 16 slices", by_nearest_and_slices<16, 16>},
+    {"K-buffer 16, 32 slices", by_nearest_and_slices<16, 32>},
+    {"K-buffer 32, 16 slices", by_nearest_and_slices<32, 16>},
     {"deep opacity 32", [](const pixel& p) { return by_deep_opacity(p, false); }},
     {"deep opacity 32, corrected", [](const pixel& p) { return by_deep_opacity(p, true); }},
     {"order-weighted, counted", by_counted_order},
     {"order-weighted, optical", [](const pixel& p) { return blend_order_weighted(p.layers, background); }},
+    {"order-weighted, whole slices", by_whole_slices},
     {"weighted average", [](const pixel& p) { return blend_weighted_average(p.layers, background); }},
     {"weighted blended", [](const pixel& p) { return blend_weighted_blended(p.layers, background); }},
     {"stochastic 8", by_samples<8>},
@@ -124,10 +160,15 @@ std::vector<std::uint32_t> strands_of(const strands& fibres) {
 nlohmann::json measure_blending(const lists& camera, const strands& fibres, float alpha) {
   const std::vector<std::uint32_t> strand_of = strands_of(fibres);
   std::vector<difference> errors(blendings.size());
+  depth_range whole = depth_range::empty();
+  for (std::size_t n = 0; n < camera.pixels(); ++n) {
+    for (const sample& s : camera.of(n))
+      whole.extend(s.depth);
+  }
   for (std::size_t n = 0; n < camera.pixels(); ++n) {
     const std::span<const sample> list = camera.of(n);
     if (list.empty()) continue;
-    pixel p{{list, {}, depth_range::empty(), depth_range::empty(), list.back().depth - list.front().depth},
+    pixel p{{list, {}, depth_range::empty(), whole, list.back().depth - list.front().depth},
             {},
             static_cast<std::uint32_t>(n)};
     p.t.range.extend(list.front().depth);

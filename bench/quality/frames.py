@@ -14,8 +14,8 @@ import plots
 
 SHADOWS = ["exact", "k_buffer", "occupancy", "opacity:16", "opacity:128", "deep_opacity:4", "deep_opacity:16",
            "deep_opacity:32", "deep:0.01", "deep:0.1"]
-BLENDS = ["exact", "depth_peeling", "k_buffer", "order_weighted", "weighted_average", "weighted_blended",
-          "stochastic:8", "stochastic:32"]
+BLENDS = ["exact", "depth_peeling", "k_buffer", "k_buffer --tail none", "k_buffer --tail sliced:16", "order_weighted",
+          "weighted_average", "weighted_blended", "stochastic:8", "stochastic:32"]
 SIDE = 400
 MODEL = ["--strands", "20000", "--size", str(SIDE)]
 
@@ -35,13 +35,13 @@ def compare(program, scratch, pictures, rounds):
 
 
 def name_of(scratch, kind, method):
-    return scratch / f"{kind}-{method.replace(':', '-')}.png"
+    return scratch / f"{kind}-{method.replace(':', '-').replace(' ', '')}.png"
 
 
 def draw(program, scratch, kind, method):
     """One frame by one method, all else as by default; its report."""
     report = scratch / "frame.json"
-    command = [program, *MODEL, f"--{kind}", method, "--out", name_of(scratch, kind, method), "--report", report]
+    command = [program, *MODEL, f"--{kind}", *method.split(), "--out", name_of(scratch, kind, method), "--report", report]
     if method != "exact":
         command += ["--compare", name_of(scratch, kind, "exact")]
     subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)

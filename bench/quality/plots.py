@@ -10,7 +10,8 @@ TITLES = {"lines": "lines of a pixel's width", "thin": "thin fibres"}
 RAY_METHODS = [("occupancy 128/4", "density clusters 4", "deep shadow map 0.03"),
                ("deep opacity 4", "deep opacity 16", "deep opacity 32"), ("opacity 16", "opacity 128", "opacity 256")]
 NANOSECONDS = [5, 10, 20, 40, 80]
-COLOURS = matplotlib.pyplot.get_cmap("tab20").colors[::2] + matplotlib.pyplot.get_cmap("tab20b").colors[::5]
+COLOURS = [colour for name, step in (("tab20", 2), ("tab20b", 5), ("tab20c", 3))
+           for colour in matplotlib.pyplot.get_cmap(name).colors[::step]]
 
 
 def print_tables(model):

@@ -238,7 +238,7 @@ struct float_tail : recorder {
 
   explicit float_tail(const raster& r) : recorder(r), sum(pixels_of(r), 0.0F) {}
 
-  void lose(int x, int y, std::span<const pixel_fragment> lost, tail&) override {
+  void lose(int x, int y, std::span<const pixel_fragment> lost, std::span<tail>) override {
     for (const pixel_fragment& f : lost)
       sum[pixel_of(from, x, y)] += f.coverage * f.depth;
   }
@@ -264,7 +264,7 @@ TEST_CASE("drawing orders leave the same bits, but not with ties by arrival, nor
     for (std::vector<pixel_fragment>& list : arrivals(from, {}, order)) {
       std::stable_sort(list.begin(), list.end(),
                        [](const pixel_fragment& a, const pixel_fragment& b) { return a.depth < b.depth; });
-      written.push_back(page_of(list, empty_tail()));
+      written.push_back(page_of(list, {}));
     }
     return in_one(written);
   }));

@@ -66,6 +66,7 @@ void maps_row(row in, results& out) {
   }
   out.put(occupancy.amount_before(slice_position(look, 128U)));
   out.put(occupancy.amount_before_fragment(slice_position(look, 128U)));
+  out.put(occupancy.interpolated_before_fragment(slice_position(look, 128U)));
   out.put(few.amount_before(slice_position(look, 96U)));
   out.put(opacity.amount_before(slice_position(look, 16U)));
   out.put(opacity.amount_before_fragment(slice_position(look, 16U)));
@@ -126,7 +127,7 @@ TEST_CASE("Maps have the same bits on every device, look-ups in them differ by t
              {"opacity_map add, merge, total", 17, bits(), bits()},
              {"density_clusters add", 12, bits(), bits()},
              {"occupancy_map amount_before", 1, 0, 4},
-             {"occupancy_map amount_before_fragment", 1, 0, 4},
+             {"occupancy_map amount_before_fragment, interpolated_before_fragment", 2, 0, 4},
              {"occupancy_map amount_before, 96 slices", 1, 0, 4},
              {"opacity_map amount_before, amount_before_fragment", 2, 0, 0},
              {"opacity_map accumulate", 16, bits(), bits()},

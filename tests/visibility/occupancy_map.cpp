@@ -55,6 +55,31 @@ TEST_CASE("a fragment of the map does not lie before itself") {
   check_own<occupancy<32u, 32u>>();
 }
 
+TEST_CASE("the paper's order goes across a slice from what lies before the one in front to what lies before it") {
+  occupancy_map<> map = occupancy_map<>::empty();
+  map.add(3.0f, 1u);
+  map.add(9.9f, 1u);
+  map.add(128.0f, 1u);
+  CHECK(map.interpolated_before_fragment(3.0f) == 0.0f);
+  CHECK(map.interpolated_before_fragment(4.25f) == 0.25f);
+  CHECK(map.interpolated_before_fragment(9.9f) == 1.0f);
+  CHECK(map.interpolated_before_fragment(10.5f) == 1.5f);
+  CHECK(map.interpolated_before_fragment(128.0f) == 2.0f);  // itself is not before it
+  holds("for any map", [] {
+    using described = occupancy<128u, 4u>;
+    const auto map = map_of<described>(draw_entries<described>(1000u));
+    const auto slice = *rc::gen::inRange<std::uint32_t>(0u, 128u);
+    const float inside = *rc::gen::element(0.0f, 0.25f, 0.5f, 0.75f, 1.0f);
+    if (slice + 1u < 128u && inside == 1.0f) return;  // the next slice's
+    const float from = map.amount_before(slice > 0u ? static_cast<float>(slice - 1u) : 0.0f);
+    const float to = map.amount_before(static_cast<float>(slice));
+    const float found = map.interpolated_before_fragment(static_cast<float>(slice) + inside);
+    const float expected = from + inside * (to - from);
+    RC_ASSERT(std::abs(found - expected) <= 1e-5f * expected);
+    RC_ASSERT(found <= 1.00001f * map.amount_before_fragment(static_cast<float>(slice) + inside));
+  });
+}
+
 TEST_CASE("seeded: cells that change in two steps lose fragments, and the laws see it") {
   CHECK(lost_by_torn_cells<occupancy<32u, 1u>>() > 0.0);
 }

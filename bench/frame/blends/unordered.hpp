@@ -17,7 +17,8 @@ namespace pelage::frame {
 // Each keeps as much as its structures in composite/ do, whatever the number of layers.
 
 /// By the optical depth that an occupancy map of 128 slices over the pixel's own range estimates before each layer.
-/// Exact where all alphas are equal and no slice holds two layers.
+/// Exact where all alphas are equal and an empty slice lies
+/// between any two layers.
 [[nodiscard]] glm::vec3 blend_order_weighted(std::span<const layer> layers, const glm::vec3& background);
 
 /// By mean colour and mean alpha. Exact where all layers are equal.

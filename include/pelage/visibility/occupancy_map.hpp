@@ -96,6 +96,14 @@ struct occupancy_map {
   [[nodiscard]] constexpr float amount_before_fragment(float position) const noexcept {
     return amount_before(static_cast<float>(layer_at(position, Slices)));
   }
+
+  /// The paper's own order of a fragment that is in the map [Sintorn & Assarsson 2009, §3.2]: across its slice, linear
+  /// from what lies before the slice in front to what lies before its own. On hair nearer to the truth than the whole
+  /// slices of amount_before_fragment() (bench/README.md), which alone are exact where neighbouring slices hold a
+  /// fragment each. 0 up to position 1; never more than amount_before_fragment() but by rounding.
+  [[nodiscard]] constexpr float interpolated_before_fragment(float position) const noexcept {
+    return amount_before(position > 1.0f ? position - 1.0f : 0.0f);
+  }
 };
 
 /// A texel that many threads fill at once: cells [texel · Map::cells, (texel + 1) · Map::cells) of the storage, all 0

@@ -5,7 +5,7 @@
 // Maps of one invocation, and an occupancy map of a second size.
 #define FRAGMENTS 12u
 #define STRIDE (2u * FRAGMENTS + 5u)
-#define RESULTS 88u
+#define RESULTS 89u
 #include "table.glsl"
 
 // No invocation here writes to a cell that others see: the maps are structs.
@@ -75,6 +75,7 @@ void main() {
   }
   give(pelage_occupancy_map_amount_before(occupancy, pelage_slice_position(look, 128u)));
   give(pelage_occupancy_map_amount_before_fragment(occupancy, pelage_slice_position(look, 128u)));
+  give(pelage_occupancy_map_interpolated_before_fragment(occupancy, pelage_slice_position(look, 128u)));
   give(small_occupancy_map_amount_before(few, pelage_slice_position(look, 96u)));
   give(pelage_opacity_map_amount_before(opacity, pelage_slice_position(look, 16u)));
   give(pelage_opacity_map_amount_before_fragment(opacity, pelage_slice_position(look, 16u)));

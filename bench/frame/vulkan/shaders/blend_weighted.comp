@@ -16,7 +16,7 @@ void visit(uint i, uint pixel, segment_in_pixel where) {
   const seen_fibre fibre = see(i, where);
   const float alpha = fibre.opacity * fibre.coverage;
   const occupancy o = load_occupancy(VIEW.first_pixel + pixel);
-  const float before = pelage_occupancy_map_amount_before_fragment(o.map, map_position(o.range, where.depth));
+  const float before = pelage_occupancy_map_interpolated_before_fragment(o.map, map_position(o.range, where.depth));
   const float weight = pelage_optical_weight(alpha, before);
   const pelage_tail one = pelage_add_weighted(pelage_empty_tail(), alpha, weight, fibre.radiance);
   add_to_sums(pixel, VIEW.first_pixel + pixel, fibre.is_before_edge, one);

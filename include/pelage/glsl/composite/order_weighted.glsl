@@ -12,8 +12,8 @@
 /// pelage_add_weighted(); pelage_resolve() scales the sum by Λ = 1 - Π(1 - α), for equal alphas the paper's 1 - (1 -
 /// α)ⁿ. Exact (except for rounding) where all alphas are equal and all orders right. Nothing may lie before a pixel's
 /// nearest fragment, or the weights may be too small for a hue, none at all where it is opaque: look up
-/// amount_before_fragment() in a map of the pixel's own depth range. The paper prints the correction as a/Λ, with a the
-/// accumulated alpha; what gives the sum Σ of the weights, a, the size Λ that it must have is Λ/a.
+/// interpolated_before_fragment() in a map of the pixel's own depth range. The paper prints the correction as a/Λ, with
+/// a the accumulated alpha; what gives the sum Σ of the weights, a, the size Λ that it must have is Λ/a.
 
 /// The weight of a fragment behind `order` others of its own alpha, [0, 1]. `order`: [0, inf). `alpha`: clamped to
 /// [0, 1]; where it is 1 only order 0 weighs anything, and below 2⁻²⁵ all orders weigh α. An alpha of NaN gives 0 or

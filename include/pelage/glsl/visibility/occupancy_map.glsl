@@ -33,6 +33,8 @@
 #define pelage_occupancy_map_amount_before_fragment PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_amount_before_fragment)
 #define pelage_occupancy_map_cells PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_cells)
 #define pelage_occupancy_map_empty PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_empty)
+#define pelage_occupancy_map_interpolated_before_fragment \
+  PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_interpolated_before_fragment)
 #define pelage_occupancy_map_merge PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_merge)
 #define pelage_occupancy_map_slab_slices PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_slab_slices)
 #define pelage_occupancy_map_total PELAGE_PASTE(PELAGE_PREFIX, _occupancy_map_total)
@@ -136,6 +138,15 @@ float pelage_occupancy_map_amount_before_fragment(pelage_occupancy_map self, flo
   return pelage_occupancy_map_amount_before(self, float(pelage_layer_at(position, PELAGE_OCCUPANCY_MAP_SLICES)));
 }
 
+/// The paper's own order of a fragment that is in the map [Sintorn & Assarsson 2009, §3.2]: across its slice, linear
+/// from what lies before the slice in front to what lies before its own. On hair nearer to the truth than the whole
+/// slices of pelage_occupancy_map_amount_before_fragment() (bench/README.md), which alone are exact where neighbouring
+/// slices hold a fragment each. 0 up to position 1; never more than pelage_occupancy_map_amount_before_fragment() but
+/// by rounding.
+precise float pelage_occupancy_map_interpolated_before_fragment(pelage_occupancy_map self, float position) {
+  return pelage_occupancy_map_amount_before(self, position > 1.0 ? position - 1.0 : 0.0);
+}
+
 /// pelage_occupancy_map_add(). Wait-free where the hardware has the changes; memory orders: core/atomic_cells.glsl.
 void pelage_atomic_occupancy_map_add(uint texel, float position, uint added) {
   const uint slice = pelage_layer_at(position, pelage_occupancy_map_words * 32u);
@@ -201,6 +212,7 @@ precise float pelage_occupancy_map_amount_before(pelage_occupancy_map self, floa
 #undef pelage_occupancy_map_amount_before_fragment
 #undef pelage_occupancy_map_cells
 #undef pelage_occupancy_map_empty
+#undef pelage_occupancy_map_interpolated_before_fragment
 #undef pelage_occupancy_map_merge
 #undef pelage_occupancy_map_slab_slices
 #undef pelage_occupancy_map_total
