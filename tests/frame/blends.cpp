@@ -153,4 +153,13 @@ TEST_CASE("what is no blend is refused") {
   CHECK(parse_blend("order_weighted").method == blend_method::order_weighted);
 }
 
+TEST_CASE("a tail is none, a mean or so many slices") {
+  CHECK(parse_tail("none") == 0);
+  CHECK(parse_tail("mean") == 1);
+  for (const std::uint32_t slices : tail_slices)
+    CHECK(parse_tail("sliced:" + std::to_string(slices)) == slices);
+  for (const char* text : {"", "sliced", "sliced:1", "sliced:3", "sliced:-4", "sliced:128", "mean:1", "none:", "Mean"})
+    CHECK_THROWS_AS((void)parse_tail(text), std::invalid_argument);
+}
+
 }  // namespace pelage::test

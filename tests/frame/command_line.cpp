@@ -237,6 +237,9 @@ TEST_CASE("an option that cannot be is refused in one line, and nothing is writt
   t.check_refused("--out a.png --order bubble_sort", "--order");
   t.check_refused("--out a.png --shadow opacity:0", "--shadow 'opacity:0': opacity must be followed by :N");
   t.check_refused("--out a.png --shadow deep:nan", "--shadow 'deep:nan'");
+  t.check_refused("--out a.png --tail sliced:5", "--tail 'sliced:5': sliced must be followed by :N");
+  t.check_refused("--out a.png --tail none --blend exact", "--tail needs --blend k_buffer");
+  t.check_refused("--out a.png --tail sliced:16 --device vulkan", "--tail: --device vulkan keeps the mean");
   t.check_refused("--out a.png --blend stochastic:x", "--blend 'stochastic:x': stochastic must be followed by :N");
   t.check_refused("--out a.png --components most", "--components");
   t.check_refused("--out a.png --aa maybe", "--aa");

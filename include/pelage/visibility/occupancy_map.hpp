@@ -98,9 +98,10 @@ struct occupancy_map {
   }
 
   /// The paper's own order of a fragment that is in the map [Sintorn & Assarsson 2009, §3.2]: across its slice, linear
-  /// from what lies before the slice in front to what lies before its own. On hair nearer to the truth than the whole
-  /// slices of amount_before_fragment() (bench/README.md), which alone are exact where neighbouring slices hold a
-  /// fragment each. 0 up to position 1; never more than amount_before_fragment() but by rounding.
+  /// from what lies before the slice in front to what lies before its own. Nearer to the truth than the whole slices of
+  /// amount_before_fragment() in dense hair, where slices hold many; those are nearer where most hold none or one, and
+  /// exact where none holds two (bench/README.md). 0 up to position 1; never greater than
+  /// amount_before_fragment().
   [[nodiscard]] constexpr float interpolated_before_fragment(float position) const noexcept {
     return amount_before(position > 1.0f ? position - 1.0f : 0.0f);
   }

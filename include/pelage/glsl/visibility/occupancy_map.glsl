@@ -139,10 +139,10 @@ float pelage_occupancy_map_amount_before_fragment(pelage_occupancy_map self, flo
 }
 
 /// The paper's own order of a fragment that is in the map [Sintorn & Assarsson 2009, §3.2]: across its slice, linear
-/// from what lies before the slice in front to what lies before its own. On hair nearer to the truth than the whole
-/// slices of pelage_occupancy_map_amount_before_fragment() (bench/README.md), which alone are exact where neighbouring
-/// slices hold a fragment each. 0 up to position 1; never more than pelage_occupancy_map_amount_before_fragment() but
-/// by rounding.
+/// from what lies before the slice in front to what lies before its own. Nearer to the truth than the whole slices of
+/// pelage_occupancy_map_amount_before_fragment() in dense hair, where slices hold many; those are nearer where most
+/// hold none or one, and exact where none holds two (bench/README.md). 0 up to position 1; never greater than
+/// pelage_occupancy_map_amount_before_fragment().
 precise float pelage_occupancy_map_interpolated_before_fragment(pelage_occupancy_map self, float position) {
   return pelage_occupancy_map_amount_before(self, position > 1.0 ? position - 1.0 : 0.0);
 }
