@@ -74,7 +74,7 @@ def draw_errors(model, path):
         alphas = [one["alpha"] for one in model["lines"]["blending"]]
         axes[2].plot(alphas, [m["rms"] for m in method], "o-", color=colour, linewidth=1, label=method[0]["name"])
     axes[2].set(yscale="log", xlabel="alpha", ylabel="RMS error of colour, lines")
-    axes[2].legend(fontsize=7)
+    axes[2].legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1))
     save(figure, path)
 
 

@@ -5,6 +5,7 @@
 #include <pelage/composite/divided_pixel.hpp>
 #include <pelage/composite/over.hpp>
 #include <pelage/composite/radiance.hpp>
+#include <pelage/composite/sliced_tail.hpp>
 #include <pelage/composite/tail.hpp>
 #include <pelage/composite/transmittance.hpp>
 #include <pelage/core/fragment.hpp>
@@ -183,6 +184,18 @@ TEST_CASE("Tails have the same bits on every device, blending differs by the sta
               divided = add_fibre(divided, false, glm::vec3(back), colour, in.f(7));
               const divided_backdrop<float> backdrop{1.0F, alpha, alpha * colour, glm::vec3(back)};
               out.put(resolve(add_tails(divided, empty_tail(), t), backdrop));
+              auto sliced = sliced_tail<16>::empty();
+              sliced.add(16.0F * back.x, alpha, colour);
+              auto rest = sliced_tail<16>::empty();
+              rest.add(16.0F * back.y, in.f(7), glm::vec3(back));
+              sliced.merge(rest);
+              const tail slice = sliced.slice[layer_at(16.0F * back.x, 16U)];
+              out.put(slice.optical);
+              out.put(slice.weight);
+              out.put(slice.red);
+              out.put(slice.green);
+              out.put(slice.blue);
+              out.put(resolve(add_sliced_tail(empty_pixel<float>(), sliced), colour));
             },
             {{"transmittance", 3, 0, 0},
              {"transmittance, grey", 1, 0, 0},
@@ -201,7 +214,9 @@ TEST_CASE("Tails have the same bits on every device, blending differs by the sta
              {"transmittance_of a float", 1, 0, 0},
              {"clamp_keeping_hue", 3, 0, 0},
              {"parting_depth", 1, 0, 4},
-             {"divided pixel", 3, 0, 8, 1.0F}});
+             {"divided pixel", 3, 0, 8, 1.0F},
+             {"sliced_tail add, merge", 5, bits(), bits()},
+             {"add_sliced_tail", 3, 0, 4}});
   });
 }
 

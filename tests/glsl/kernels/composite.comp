@@ -3,13 +3,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define STRIDE 12u
-#define RESULTS 42u
+#define RESULTS 50u
 #include "table.glsl"
 
 #include "pelage/glsl/composite/divided_pixel.glsl"
 #include "pelage/glsl/composite/optical_depth.glsl"
 #include "pelage/glsl/composite/over.glsl"
 #include "pelage/glsl/composite/radiance.glsl"
+#include "pelage/glsl/composite/sliced_tail.glsl"
 #include "pelage/glsl/composite/tail.glsl"
 #include "pelage/glsl/composite/transmittance.glsl"
 
@@ -51,4 +52,16 @@ void main() {
   divided = pelage_add_fibre(divided, false, back.xyz, colour, f(7u));
   const pelage_divided_backdrop backdrop = pelage_divided_backdrop(1.0, alpha, alpha * colour, back.xyz);
   put(39u, pelage_resolve(pelage_add_tails(divided, pelage_empty_tail(), tail), backdrop));
+  pelage_sliced_tail sliced = pelage_sliced_tail_empty();
+  pelage_sliced_tail_add(sliced, 16.0 * back.x, alpha, colour);
+  pelage_sliced_tail rest = pelage_sliced_tail_empty();
+  pelage_sliced_tail_add(rest, 16.0 * back.y, f(7u), back.xyz);
+  pelage_sliced_tail_merge(sliced, rest);
+  const pelage_tail slice = sliced.slice[pelage_layer_at(16.0 * back.x, 16u)];
+  put(42u, slice.optical);
+  put(43u, slice.weight);
+  put(44u, slice.red);
+  put(45u, slice.green);
+  put(46u, slice.blue);
+  put(47u, pelage_resolve(pelage_add_sliced_tail(pelage_empty_pixel(), sliced), colour));
 }
