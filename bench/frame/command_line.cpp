@@ -34,6 +34,10 @@ const std::map<std::string, hair_colour> colour_names{{"blond", hair_colour::blo
                                                       {"brown", hair_colour::brown},
                                                       {"black", hair_colour::black}};
 
+const std::map<std::string, pixel_footprint> footprint_names{{"inscribed", pixel_footprint::inscribed},
+                                                             {"equal_area", pixel_footprint::equal_area},
+                                                             {"yu", pixel_footprint::yu}};
+
 template <class Value>
 std::vector<std::string> names(const std::map<std::string, Value>& all) {
   std::vector<std::string> list;
@@ -133,6 +137,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   std::string order = name_of(s.order);
   std::string shown = name_of(s.shown);
   std::string antialias = "on";
+  std::string footprint = name_in(footprint_names, s.footprint);
   std::string device = "cpu";
   std::vector<std::string> lights;
   std::vector<float> from;
@@ -184,6 +189,9 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
           ->capture_default_str();
   app.add_option("--aa", antialias, "anti-aliasing, on or off")->check(CLI::IsMember({"on", "off"}));
   app.add_option("--alpha", s.opacity, "opacity of all fibres, [0, 1]; else the model's")->check(CLI::Range(0.0, 1.0));
+  app.add_option("--footprint", footprint, "the disc that stands for an anti-aliased pixel of the camera")
+      ->check(CLI::IsMember(names(footprint_names)))
+      ->capture_default_str();
   look_options look;
   add_look_options(app, look, s.look);
   app.add_option("--fibre-radius", s.fibre_radius, "of all fibres, model units; else the model's")
@@ -216,6 +224,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   s.tails = parse_tail(c.tail);
   s.shown = component_names.at(shown);
   s.antialias = antialias == "on";
+  s.footprint = footprint_names.at(footprint);
   read_look(look, s.look);
   s.on_bust = c.hair.empty();
   c.on_device = device == "vulkan";

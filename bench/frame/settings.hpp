@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/coverage/ray_cone.hpp>
+
 #include <glm/vec2.hpp>
 
 #include <cstdint>
@@ -33,6 +35,7 @@ struct frame_settings {
   fibre_look look;               ///< how fibres scatter light
   float shading_spacing = 8.0F;  ///< pixels between the places of a segment that are shaded, [0, inf]; 0: each fragment
   bool antialias = true;
+  pixel_footprint footprint = pixel_footprint::inscribed;  ///< of the camera, where it is anti-aliased
   std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera
   float opacity = -1.0F;          ///< of all fibres, [0, 1]; negative: the model's own
   float fibre_radius = -1.0F;     ///< of all fibres, length units, [0, inf); negative: the model's own

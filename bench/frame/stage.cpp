@@ -116,7 +116,8 @@ std::vector<light> studio(float camera_azimuth) {
 }
 
 /// The camera in a direction from the fibres that sees the whole of their box.
-view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& toward, int width, int height) {
+view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& toward, int width, int height,
+                   pixel_footprint footprint) {
   constexpr float tan_half_fov = 0.268F;  // 30 degrees
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
   const glm::vec3 half = bounds.empty() ? glm::vec3(1.0F) : 0.5F * (bounds.upper - bounds.lower);
@@ -131,7 +132,7 @@ view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& towa
     distance = std::max(distance, 1.02F * aside / tan_half_fov + glm::dot(c, toward));
   }
   return perspective_view(round.centre + distance * toward, round.centre, tan_half_fov, width, height,
-                          0.01F * round.radius);
+                          0.01F * round.radius, footprint);
 }
 
 }  // namespace
@@ -153,7 +154,8 @@ stage set_up(const hair_model& model, const frame_settings& settings) {
     s.lights.push_back(place_light(relative, s.round));
     s.light_views.push_back(light_view(s.lights.back(), s.round, texels));
   }
-  s.eye = fitted_camera(bounds, s.round, direction_of(from), settings.width, settings.height);
+  s.eye = fitted_camera(bounds, s.round, direction_of(from), settings.width, settings.height,
+                        settings.antialias ? settings.footprint : pixel_footprint::inscribed);
   return s;
 }
 

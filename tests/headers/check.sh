@@ -19,8 +19,9 @@ fi
 # shellcheck disable=SC2016
 printf '%s\0' "${headers[@]}" | xargs -0 -P2 -I{} sh -c '
   header=$1; shift
-  printf "#include <%s>\n#include <%s>\n" "$header" "$header" | "$@" -fsyntax-only -x c++ - && exit
-  echo "$header does not compile alone" >&2
+  printf "#include <%s>\n#include <%s>\n" "$header" "$header" | "$@" -fsyntax-only -x c++ - &&
+    ! printf "#include <%s>\n" "$header" | "$@" -E -x c++ - | grep -q "inline PELAGE_ABI" && exit
+  echo "$header does not compile alone, or does not include version.hpp" >&2
   exit 1' sh {} "${compile[@]}"
 
 work=$(mktemp -d)

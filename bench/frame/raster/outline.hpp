@@ -66,7 +66,7 @@ template <class Real>
   const Real farthest(farthest_pixel);
   const Real nearest = zero - greatest(start.z, end.z);
   const Real pixels = greatest(start.radius, end.radius) * Real(from.scale) / (from.perspective ? nearest : one);
-  const Real reach = Real(stretch) * (pixels + Real(0.5F)) + Real(outline_rounding);
+  const Real reach = Real(stretch) * (pixels + Real(from.disc())) + Real(outline_rounding);
   outline<Real> found;
   found.fails = select(nearest < Real(from.near_plane), one, zero) + select(reach < farthest, zero, one);
   for (const Real coordinate : {start.pixel_x, start.pixel_y, end.pixel_x, end.pixel_y})

@@ -66,7 +66,7 @@ depth_range raster::seen_depths(std::span<const float> limit) const {
 }
 
 outline<float> raster::wide_outline_of(std::uint32_t segment) const {
-  constexpr float margin = 0.75F;  // a disc reaches half a pixel beyond the fibre; the rest is for rounding
+  constexpr float margin = 0.75F;  // half a disc reaches beyond the fibre; the rest is for rounding
   const std::uint32_t i = fibres_.segment[segment];
   const float radius = std::max(point_[i].radius, point_[i + 1].radius);
   const segment_quad<float> quad =

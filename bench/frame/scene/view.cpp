@@ -17,7 +17,7 @@ glm::mat3 look_along(const glm::vec3& direction) {
 }  // namespace
 
 view perspective_view(const glm::vec3& eye, const glm::vec3& target, float tan_half_fov, int width, int height,
-                      float near_plane) {
+                      float near_plane, pixel_footprint footprint) {
   return view{look_along(target - eye),
               eye,
               true,
@@ -25,10 +25,11 @@ view perspective_view(const glm::vec3& eye, const glm::vec3& target, float tan_h
               near_plane,
               width,
               height,
-              perspective_cone(tan_half_fov, height)};
+              perspective_cone(tan_half_fov, height, footprint)};
 }
 
-view orthographic_view(const glm::vec3& target, const glm::vec3& direction, float extent, int texels) {
+view orthographic_view(const glm::vec3& target, const glm::vec3& direction, float extent, int texels,
+                       pixel_footprint footprint) {
   return view{look_along(direction),
               target - extent * glm::normalize(direction),
               false,
@@ -36,7 +37,7 @@ view orthographic_view(const glm::vec3& target, const glm::vec3& direction, floa
               0.0F,
               texels,
               texels,
-              orthographic_cone(extent, texels)};
+              orthographic_cone(extent, texels, footprint)};
 }
 
 }  // namespace pelage::frame

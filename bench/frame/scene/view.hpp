@@ -36,6 +36,9 @@ struct view {
   int width, height;     ///< pixels
   ray_cone<float> cone;  ///< of one pixel
 
+  /// The radius of a pixel's disc in pixels.
+  [[nodiscard]] float disc() const { return (cone.base + cone.slope) * scale; }
+
   // Real: float, or a pack of floats for as many points.
 
   template <class Real>
@@ -94,10 +97,12 @@ struct view {
 
 /// A perspective view from `eye` toward `target`. `tan_half_fov`: of the vertical field, (0, inf).
 [[nodiscard]] view perspective_view(const glm::vec3& eye, const glm::vec3& target, float tan_half_fov, int width,
-                                    int height, float near_plane);
+                                    int height, float near_plane,
+                                    pixel_footprint footprint = pixel_footprint::inscribed);
 
 /// An orthographic view along `direction` that shows the square of side `extent` round `target`, texels × texels.
 /// Its eye stands one extent before the target.
-[[nodiscard]] view orthographic_view(const glm::vec3& target, const glm::vec3& direction, float extent, int texels);
+[[nodiscard]] view orthographic_view(const glm::vec3& target, const glm::vec3& direction, float extent, int texels,
+                                     pixel_footprint footprint = pixel_footprint::inscribed);
 
 }  // namespace pelage::frame

@@ -16,9 +16,9 @@ glm::vec3 row(const glm::mat3& m, int i) {
 }
 
 /// A ray that passes a point of a fibre's axis, z deep, at distance d passes it on the screen within d |u| scale / z,
-/// where u is the ray's direction; the pixel's disc is half a pixel wide where the ray is z deep, and d |u| / 2 z wider
-/// where it is nearest. So pixels within this times (radius in pixels + 1/2) are all that a fibre touches;
-/// where a disc may be wider than the ray is long, all pixels.
+/// where u is the ray's direction; where the ray is nearest, the pixel's disc is wider than z deep by at most its slope
+/// times d |u| / 2. So pixels within this times (the fibre's radius and the disc's, in pixels) are all that a fibre
+/// touches; where a disc may be wider than the ray is long, all pixels.
 float reach_of(const view& v) {
   if (!v.perspective) return 1.001F;
   const glm::vec2 corner = (0.5F * glm::vec2(v.width, v.height) + 0.5F) / v.scale;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/exact_begin.hpp>
+#include <pelage/version.hpp>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

@@ -21,14 +21,14 @@ struct segment_quad {
   bool visible;                             ///< false: nothing in front of the near plane, corners are all 0
 };
 
-/// Widens a segment to a quad that faces the eye, by the fibre's radius plus `margin` pixels to the sides and past
+/// Widens a segment to a quad that faces the eye, by the fibre's radius plus `margin` discs to the sides and past
 /// the ends: every pixel whose disc the fibre can touch has its centre inside, and few others.
 /// [Yu12 §4.1, which moves the edges of the projected quad by 2 pixels; here corners are moved in space, so that it
 /// holds for wide fibres near the eye and past the ends, too]
 ///
 /// `start`, `end`: view space. What lies nearer than the plane z = -near_plane is cut off; near_plane in (0, inf),
-/// for an orthographic cone any number. `fibre_radius`: [0, inf). `cone`: the pixel's, slope in [0, 1); its disc must
-/// not be wider than a pixel. `margin`: pixels, [0.5, inf), 2 where nothing else is known.
+/// for an orthographic cone any number. `fibre_radius`: [0, inf). `cone`: the pixel's, slope in [0, 1).
+/// `margin`: widths of its disc, [0.5, inf), 2 where nothing else is known.
 /// A segment parallel to the view ray, or of length 0, gives a square that faces the eye. Corners may lie nearer
 /// than the near plane. NaN or infinite ends or radius: not visible.
 /// With perspective the promise holds while quad and eye span less than 170°: a fibre nearer to the eye than a few

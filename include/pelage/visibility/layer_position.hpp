@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/core/exact_begin.hpp>
+#include <pelage/version.hpp>
 
 #include <cmath>
 #include <cstdint>

@@ -27,7 +27,7 @@ struct view_block {
   ivec2 size;
   float cone_base;
   float cone_slope;
-  float reach;  ///< pixels beside a fibre's axis that it may touch: this times its radius in pixels and a half
+  float reach;  ///< pixels beside a fibre's axis that it may touch: this times its radius and the disc's
   uint first_place;  ///< of the pool, for this view's runs
   uint first_stamp;
   uint stamp_count;

@@ -101,7 +101,8 @@ pixel_walk walk_of(uint word, placed_segment s) {
   const float widest = max(s.start_radius, s.end_radius);
   const bool bounded = near_depth >= VIEW.near_plane;  // else the segment may be anywhere
   const float scale = VIEW.perspective ? VIEW.scale / near_depth : VIEW.scale;
-  const float reach = bounded ? VIEW.reach * (widest * scale + 0.5) + 0.01 : 1e9;
+  const float disc = (VIEW.cone_base + VIEW.cone_slope) * VIEW.scale;
+  const float reach = bounded ? VIEW.reach * (widest * scale + disc) + 0.01 : 1e9;
   // No ray is nearer to the axis than the nearest end by more than fibre and disc are wide.
   const float far_depth = max(-s.start.z, -s.end.z);
   const float least_depth = near_depth - 2.0 * (widest + pelage_radius_at(cone_of(this_view()), near_depth));

@@ -4,22 +4,37 @@
 #ifndef PELAGE_COVERAGE_RAY_CONE_GLSL
 #define PELAGE_COVERAGE_RAY_CONE_GLSL
 
-/// The cone (perspective) or cylinder (orthographic) of rays that one pixel gathers: its disc's radius grows
-/// linearly with view depth. Perspective: Yu12 Eq. 6.
+/// The disc that stands for a pixel. A fibre covers the share of it that pelage_disc_strip_share() gives, so that the
+/// sum over pixels is the fibre's area in pixels on average for each of them.
+const int pelage_pixel_footprint_inscribed = 0;   ///< touches the pixel's sides: radius 1/2
+const int pelage_pixel_footprint_equal_area = 1;  ///< as large as the pixel: radius 1/sqrt(pi)
+const int pelage_pixel_footprint_yu = 2;          ///< two pixels wide, as [Yu12 Eq. 6] is printed: radius 1
+
+/// The disc's radius in sides of the pixel.
+float pelage_disc_radius(int footprint) {
+  if (footprint == pelage_pixel_footprint_inscribed) {
+    return 0.5;
+  }
+  return footprint == pelage_pixel_footprint_equal_area ? 0.56418958354775629 : 1.0;
+}
+
+/// The cone (perspective) or cylinder (orthographic) of rays that one pixel gathers: its disc's radius grows linearly
+/// with view depth. [Yu12 Eq. 6] has it grow with the distance from the eye instead, which makes discs larger than
+/// their pixels toward the sides of the picture.
 struct pelage_ray_cone {
   float base;   ///< the disc's radius at depth 0, length units, [0, inf)
   float slope;  ///< growth of the radius per unit of view depth, [0, inf); 0 exactly when orthographic
 };
 
-/// The cone of a perspective camera's pixel: the disc touches the pixel's sides. `tan_half_fov`: tangent of half
-/// the vertical field of view, (0, inf). `height`: pixels from bottom to top, [1, inf).
-precise pelage_ray_cone pelage_perspective_cone(float tan_half_fov, int height) {
-  return pelage_ray_cone(0.0, tan_half_fov / float(height));
+/// The cone of a perspective camera's pixel. `tan_half_fov`: tangent of half the vertical field of view, (0, inf).
+/// `height`: pixels from bottom to top, [1, inf).
+precise pelage_ray_cone pelage_perspective_cone(float tan_half_fov, int height, int footprint) {
+  return pelage_ray_cone(0.0, 2.0 * pelage_disc_radius(footprint) * tan_half_fov / float(height));
 }
 
 /// The cylinder of an orthographic map's texel: `extent` length units across `texels` texels, [1, inf).
-precise pelage_ray_cone pelage_orthographic_cone(float extent, int texels) {
-  return pelage_ray_cone(0.5 * extent / float(texels), 0.0);
+precise pelage_ray_cone pelage_orthographic_cone(float extent, int texels, int footprint) {
+  return pelage_ray_cone(pelage_disc_radius(footprint) * extent / float(texels), 0.0);
 }
 
 /// The disc's radius at a view depth (along the axis of view, not along the ray). Depths behind the eye count as 0.
