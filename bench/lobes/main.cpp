@@ -76,7 +76,7 @@ std::string along_data(const sphere_of_lobes& sphere) {
 }
 
 /// Light per radian of azimuth (all inclinations), for each lobe and all together; x points back to the light.
-std::string round_data(const sphere_of_lobes& sphere) {
+std::string round_data(const sphere_of_lobes& sphere, const lobe_model& model) {
   std::string text;
   for (int k = 0; k <= phis; ++k) {
     const int column = k % phis;
@@ -90,7 +90,8 @@ std::string round_data(const sphere_of_lobes& sphere) {
       line += fmt::format(" {:.6g}", sum);
       total += sum;
     }
-    text += line + fmt::format(" {:.6g}\n", total);
+    const double near = model.has_near_field() ? model.near_field_averaged(sphere_of_lobes::phi(column)) : 0.0;
+    text += line + fmt::format(" {:.6g} {:.6g}\n", total, near);
   }
   return text;
 }
@@ -158,6 +159,17 @@ std::string curves(const char* data, const lobe_model& model, bool polar) {
   return text + "\n";
 }
 
+/// The azimuths, with the near field averaged by brute force over the sum where a model has one.
+std::string near_field(const lobe_model& model) {
+  std::string text = curves("$round", model, true);
+  if (model.has_near_field()) {
+    text.insert(text.size() - 1, fmt::format(", $round using 1:(sqrt(${})) every 4 with points pt 7 ps 0.4 lc rgb "
+                                             "'#1e8449' title 'near, averaged'",
+                                             model.names().size() + 3));
+  }
+  return text;
+}
+
 std::string polar_frame(const char* title) {
   return fmt::format(
       "reset\nset polar\nset angles degrees\nunset border\nunset xtics\nunset ytics\nunset raxis\nset rtics format ''\n"
@@ -171,7 +183,7 @@ std::string script(const lobe_settings& settings, const std::string& title, cons
   std::string text = fmt::format(
       "set terminal pngcairo size 1200,1040 font 'DejaVu Sans,11' background 'white'\nset output '{}'\n"
       "$along << END\n{}END\n$round << END\n{}END\n$cut << END\n{}END\n$map << END\n{}END\n",
-      out, along_data(sphere), round_data(sphere), cut_data(sphere), map_data(sphere));
+      out, along_data(sphere), round_data(sphere, model), cut_data(sphere), map_data(sphere));
   text += fmt::format("set multiplot layout 2,2 margins 0.07,0.97,0.07,0.90 spacing 0.09,0.12 title \"{}\"\n", title);
   text += fmt::format(
       "set title 'M: along the fibre (light at {:.0f}°)'\nset xlabel 'inclination θ, degrees (+ to the tip)'\n"
@@ -179,7 +191,7 @@ std::string script(const lobe_settings& settings, const std::string& title, cons
       "set nonlinear y via sqrt(y) inverse y**2\nset ytics (0, 0.01, 0.05, 0.2, 0.5, 1, 2, 4, 8)\nset key top right\n",
       settings.theta_i * 180.0 / pi);
   text += curves("$along", model, false);
-  text += polar_frame("N: round the fibre, radius √ (light from the right)") + curves("$round", model, true);
+  text += polar_frame("N: round the fibre, radius √ (light from the right)") + near_field(model);
   text += polar_frame("Cut along fibre and light, radius √ (tip up, light from the right)") + "unset key\n" +
           curves("$cut", model, true);
   text += fmt::format(

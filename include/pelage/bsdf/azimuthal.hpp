@@ -41,8 +41,8 @@ struct azimuthal_band {
   Real height;  ///< 2 sinh(width/(2 scale))/width, normalised as the lobe is
 };
 
-/// The band that stands for `extent` radians, [0, π), of middles. Where that is below 0.7 of the lobe's scale the band is
-/// the lobe itself within 2e-3: lobes that close to one another add up without ripples.
+/// The band that stands for `extent` radians, [0, π), of middles. Where that is below 0.7 of the lobe's scale the band
+/// is the lobe itself within 2e-3: lobes that close to one another add up without ripples.
 template <real_number Real>
 [[nodiscard, gnu::always_inline]] inline azimuthal_band<Real> make_azimuthal_band(const azimuthal_lobe<Real>& lobe,
                                                                                   Real extent) noexcept;
