@@ -28,7 +28,8 @@ glm::vec3 blend_order_weighted(std::span<const layer> layers, const glm::vec3& b
     map.add(position(l), optical_depth(l.alpha));
   tail sum = empty_tail();
   for (const layer& l : layers)
-    sum = add_weighted(sum, l.alpha, optical_weight(l.alpha, map.interpolated_before_fragment(position(l))), l.radiance);
+    sum =
+        add_weighted(sum, l.alpha, optical_weight(l.alpha, map.interpolated_before_fragment(position(l))), l.radiance);
   return resolve(sum, background);
 }
 

@@ -33,8 +33,8 @@ enum class components {
 /// composited apart from what it sees before it.
 class camera_film final : public pixel_visitor {
  public:
-  /// `behind`, `shades`: of the raster's eye. `slices`: of the depths that are seen, each with tails of its own for what
-  /// is not among a pixel's K nearest; 0: that is lost. All references must outlive the film.
+  /// `behind`, `shades`: of the raster's eye. `slices`: of the depths that are seen, each with tails of its own for
+  /// what is not among a pixel's K nearest; 0: that is lost. All references must outlive the film.
   camera_film(const raster& from, const backdrop& behind, const shaded_fibres& shades, components shown,
               std::uint32_t slices = 1);
 
