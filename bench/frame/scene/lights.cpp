@@ -104,7 +104,9 @@ view light_view(const light& placed, const sphere& fibres, int texels) {
   const float sine = slack * fibres.radius / distance;
   const float tangent = sine / std::sqrt(1.0F - sine * sine);
   const float near_plane = 0.5F * (distance - fibres.radius);
-  return perspective_view(placed.position, fibres.centre, tangent, texels, texels, near_plane);
+  view from = perspective_view(placed.position, fibres.centre, tangent, texels, texels, near_plane);
+  from.far_depth = distance + fibres.radius;
+  return from;
 }
 
 }  // namespace pelage::frame

@@ -3,6 +3,7 @@
 #include "frame/scene/view.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace pelage::frame {
 namespace {
@@ -25,7 +26,8 @@ view perspective_view(const glm::vec3& eye, const glm::vec3& target, float tan_h
               near_plane,
               width,
               height,
-              perspective_cone(tan_half_fov, height, footprint)};
+              perspective_cone(tan_half_fov, height, footprint),
+              std::numeric_limits<float>::infinity()};
 }
 
 view orthographic_view(const glm::vec3& target, const glm::vec3& direction, float extent, int texels,
@@ -37,7 +39,8 @@ view orthographic_view(const glm::vec3& target, const glm::vec3& direction, floa
               0.0F,
               texels,
               texels,
-              orthographic_cone(extent, texels, footprint)};
+              orthographic_cone(extent, texels, footprint),
+              2.0F * extent};
 }
 
 }  // namespace pelage::frame

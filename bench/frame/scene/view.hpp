@@ -35,6 +35,7 @@ struct view {
   float near_plane;      ///< view depth from which on fibres are drawn
   int width, height;     ///< pixels
   ray_cone<float> cone;  ///< of one pixel
+  float far_depth;       ///< view depth up to which a light's fibres lie, at least about; +inf: not known
 
   /// The radius of a pixel's disc in pixels.
   [[nodiscard]] float disc() const { return (cone.base + cone.slope) * scale; }

@@ -10,6 +10,16 @@ float entry_depth(uint i) {
   return uintBitsToFloat(entries[i].x);
 }
 
+/// The share of the rest that lies before a depth.
+float share_before(texel t, float depth) {
+  if (depth >= t.farthest) {
+    return 1.0;
+  }
+  const float middle = clamp(t.mean, t.last_depth, t.farthest);
+  const float reach = min(middle - t.last_depth, t.farthest - middle);
+  return reach > 0.0 ? pelage_saturate(0.5 + 0.5 * (depth - middle) / reach) : depth < middle ? 0.0 : 1.0;
+}
+
 /// What a texel lets through whose `before` first entries lie before a depth.
 float transmittance_behind(texel t, uint before, float depth, bool among_fibres) {
   if (!among_fibres && depth > t.limit) {
@@ -20,9 +30,7 @@ float transmittance_behind(texel t, uint before, float depth, bool among_fibres)
   }
   uint optical = t.last_optical;
   if (t.behind > 0u) {
-    // Between the last entry and the farthest fragment the rest's optical depth grows linearly.
-    const float span = t.farthest - t.last_depth;
-    const float share = span > 0.0 ? pelage_saturate((depth - t.last_depth) / span) : 1.0;
+    const float share = share_before(t, depth);
     const float greatest = 4294967040.0;  // the last float below 2^32
     optical = pelage_add_saturating(optical, uint(share * min(float(t.behind), greatest)));
   }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // A light's map from its runs: the K nearest of each texel with the optical depth up to and including each, then the
-// sum and the farthest depth of the rest. In: runs, counts, pool. Out: entries, texels. One subgroup a texel; bounded
+// sum, the mean and the farthest depth of the rest. In: runs, counts, pool. Out: entries, texels. One subgroup a texel; bounded
 // by the sorting networks' shuffles.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -17,7 +17,9 @@
 // Of all the run's fragments that this lane reads.
 uint low_sum = 0u;
 uint high_sum = 0u;
+uint moments = 0u;
 float farthest = 0.0;
+float scale_of_depth;
 
 pelage_fragment fragment_at(uint i) {
   return pool[i];
@@ -27,6 +29,7 @@ void sum(pelage_fragment f) {
   uint carry;
   low_sum = uaddCarry(low_sum, f.id, carry);
   high_sum += carry;
+  moments += moment(f, scale_of_depth);
   farthest = max(farthest, f.depth);
 }
 
@@ -61,6 +64,7 @@ void main() {
   const uint pixel = VIEW.first_pixel + index_of(at);
   const uint begin = runs[pixel].x;
   const uint end = min(counts[pixel], runs[pixel].y);
+  scale_of_depth = per_far();
   select_from(begin, end);
   const uint held = pelage_group_select_held(nearest);
 
@@ -73,15 +77,18 @@ void main() {
     const uint up_to = optical + subgroupInclusiveAdd(own);
     optical += subgroupAdd(own);
     if (slot < held) {
-      entries[first + slot] = uvec2(floatBitsToUint(pelage_depth_from_key(nearest.slot[row].key)), up_to);
+      const float depth = pelage_depth_from_key(nearest.slot[row].key);
+      entries[first + slot] = uvec2(floatBitsToUint(depth), up_to);
+      moments -= moment(pelage_fragment(depth, own), scale_of_depth);
     }
   }
   const float last_depth = held > 0u ? pelage_depth_from_key(pelage_group_select_at(nearest, held - 1u).key) : 0.0;
   const bool is_rest = end - begin > held;
   const uint rest = behind(optical);
   const float rest_depth = subgroupMax(farthest);
+  const float mean = mean_depth(subgroupAdd(moments), rest, scale_of_depth);
   if (subgroupElect()) {
     put_texel(pixel, texel(first, held, is_rest ? rest : 0u, is_rest ? rest_depth : 0.0, last_depth, optical,
-                           limits[pixel]));
+                           limits[pixel], mean));
   }
 }
