@@ -16,6 +16,7 @@
 #include <pelage/bsdf/chiang_sampling.hpp>
 #include <pelage/bsdf/dual_scattering.hpp>
 #include <pelage/bsdf/dual_scattering_table.hpp>
+#include <pelage/bsdf/fibre_hit.hpp>
 #include <pelage/bsdf/fresnel.hpp>
 #include <pelage/bsdf/hair_parameters.hpp>
 #include <pelage/bsdf/interface.hpp>
@@ -275,6 +276,11 @@ template chiang_result<float> evaluate_chiang_far(const chiang_fibre<float>&, co
                                                   const fibre_direction<float>&) noexcept;
 template chiang_sample<float> sample_chiang_far(const chiang_fibre<float>&, const fibre_direction<float>&,
                                                 const std::array<float, 4>&) noexcept;
+template fibre_hit<float> fibre_hit_of(const vec3&, const vec3&, const vec3&, float) noexcept;
+template fibre_hit<float> fibre_hit_on_segment(const vec3&, const vec3&, const vec3&, const vec3&, float,
+                                               float) noexcept;
+template vec3 into_frame(const fibre_frame<float>&, const vec3&) noexcept;
+template vec3 out_of_frame(const fibre_frame<float>&, const vec3&) noexcept;
 template vec3 axial_passage(float, const colour&, float) noexcept;
 template vec3 mean_passage<4>(float, const colour&, float) noexcept;
 template vec3 mean_passage<3>(float, const colour&, float) noexcept;

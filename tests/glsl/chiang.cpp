@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <pelage/bsdf/chiang_far_field.hpp>
 #include <pelage/bsdf/chiang_sampling.hpp>
+#include <pelage/bsdf/fibre_hit.hpp>
 #include <pelage/bsdf/passage.hpp>
 #include <pelage/core/vector_math.hpp>
 
@@ -136,6 +137,42 @@ TEST_CASE("Directions drawn for a fibre seen from afar are unit vectors that car
                          {"sample_chiang_far", 3, 5e-5, 1e-6},
                          {"sample_chiang_far density", 1, 5e-5, 1e-6},
                          {"sample_chiang_far lobe", 1, 0.0}});
+  });
+}
+
+TEST_CASE("Hits on segments are placed on a device as in double") {
+  const words place = between(-2.0F, 2.0F);
+  const words radius = between(0.5F, 4.0F);
+  std::vector<words> inputs(12, place);
+  inputs.insert(inputs.end(), 2, radius);
+  holds("fibre hits", [&] {
+    compare_with_double(kernels::fibre_hit, inputs,
+                        [](row in, row, wanted& out) {
+                          const glm::dvec3 hit = in.d3(0), direction = in.d3(3), start = in.d3(6), end = in.d3(9);
+                          const auto at = fibre_hit_on_segment(hit, direction, start, end, in.d(12), in.d(13));
+                          const auto own = fibre_hit_of(hit, direction, start, in.d(12));
+                          // Close to the ray's direction the frame's turn about x has few digits.
+                          if (!(at.eye.cosine > 0.1) || !(own.eye.cosine > 0.1) || !(vector_length(direction) > 0.1) ||
+                              !(vector_length(end - start) > 0.1) || !(vector_length(start) > 0.1)) {
+                            out.skip(14);
+                            return;
+                          }
+                          out.put(at.h);
+                          out.put(at.gamma);
+                          out.put(at.theta);
+                          out.put(at.eye.sine);
+                          out.put(at.eye.cosine);
+                          out.put(into_frame(at.frame, direction));
+                          out.put(out_of_frame(at.frame, direction));
+                          out.put(own.frame.z);
+                        },
+                        {{"fibre_hit_on_segment h", 1, 2e-5, 1.0},
+                         {"fibre_hit_on_segment gamma", 1, 5e-3, 1.0},
+                         {"fibre_hit_on_segment theta", 1, 2e-6, 1.0},
+                         {"fibre_hit_on_segment eye", 2, 2e-6, 1.0},
+                         {"into_frame", 3, 2e-5, 1.0},
+                         {"out_of_frame", 3, 2e-5, 1.0},
+                         {"fibre_hit_of frame", 3, 2e-5, 1.0}});
   });
 }
 

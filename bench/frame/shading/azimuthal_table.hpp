@@ -16,7 +16,7 @@ namespace pelage::frame {
 /// on the longitudinal lobes alone, so that its average over the width is as separable as Marschner's.
 ///
 /// Largest error against the models, relative to the greatest N of the row: 0.04 in TRT (see marschner_table.hpp) for
-/// Marschner's, 0.01 for Chiang's with β_n ≥ 0.1 (0.05 at 0.05), for inclinations up to 1.2 (69°).
+/// Marschner's, 0.01 for Chiang's with β_n ≥ 0.1 (0.013 at 0.05), for inclinations up to 1.2 (69°).
 class azimuthal_table {
  public:
   azimuthal_table(azimuthal_table&&) = default;  // spans keep pointing to what the vectors hold
