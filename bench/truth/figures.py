@@ -50,7 +50,7 @@ def draw_crops():
 
 SMALL = ["--strands", 5000, "--size", 160, "--samples", 64]
 MIDDLE = ["--strands", 50000, "--size", 320, "--samples", 24]
-LARGE = ["--strands", 50000, "--size", 640, "--samples", 12]
+LARGE = ["--strands", 50000, "--size", 640, "--samples", 24]
 
 run("fibre")
 run("ball", "--size", 160)
