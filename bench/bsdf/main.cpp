@@ -132,6 +132,16 @@ void sample_with(benchmark::State& state, const std::vector<Fibre>& made) {
 void evaluate_kernel(benchmark::State& state) {
   evaluate_with(state, make_all<chiang_fibre<float>>(make_fibre));
 }
+/// The scalar fibre, viewed and evaluated in one call.
+void evaluate_once(benchmark::State& state) {
+  const auto made = make_all<chiang_fibre<float>>(make_fibre);
+  each(state, [&](std::size_t k) {
+    std::array<float, 3> value =
+        evaluate_chiang(made[k], all().h[k], fibre_direction_of(all().eye[k]), fibre_direction_of(all().light[k]))
+            .value;
+    benchmark::DoNotOptimize(value);
+  });
+}
 void evaluate_quad(benchmark::State& state) {
   evaluate_with(state, make_all<chiang_quad_fibre>(make_quad));
 }
@@ -240,6 +250,7 @@ BENCHMARK(construct_kernel);
 BENCHMARK(construct_quad);
 BENCHMARK(evaluate_plain);
 BENCHMARK(evaluate_kernel);
+BENCHMARK(evaluate_once);
 BENCHMARK(evaluate_quad);
 BENCHMARK(density_plain);
 BENCHMARK(density_kernel);

@@ -23,6 +23,9 @@ TEST_CASE("four lanes give the kernel's bits") {
                 const auto found = evaluate_chiang(quad, quad_view, light);
                 RC_ASSERT(found.value == expected.value);
                 RC_ASSERT(found.density == expected.density);
+                const auto at_once = evaluate_chiang(fibre, h / 32767.0f, eye, light);
+                RC_ASSERT(at_once.value == expected.value);
+                RC_ASSERT(at_once.density == expected.density);
                 RC_ASSERT(chiang_density(quad, quad_view, light) == chiang_density(fibre, view, light));
               });
 }

@@ -18,7 +18,8 @@ namespace pelage::inline PELAGE_ABI {
 /// absorption leaves alone, has twice as many, crowded at the edge, where Fresnel's term is steep.
 ///
 /// Error: at most 0.01 of the greatest value at the same θ_i for η in [1.4, 1.8], any absorption and inclinations and
-/// β_n in [0.05, 1]. A clear fibre's energy is 1 within 3e-4. Cost in exponentials: 9 a cell and 3 a cell of R, M once.
+/// β_n in [0.05, 1]. A clear fibre's energy is 1 within 3e-4. Cost in exponentials: 12 a cell and 3 a cell of R, M
+/// once.
 
 /// Azimuths of the averaged lobes for one eye and one light: what is left of the model without M.
 template <std::floating_point Real>

