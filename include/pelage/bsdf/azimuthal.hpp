@@ -35,7 +35,7 @@ template <std::floating_point Real>
 /// A lobe whose middle is spread evenly over a width: what stands for all offsets of one part of a fibre's width.
 template <real_number Real>
 struct azimuthal_band {
-  Real scale;   ///< of the logistic, that of the lobe or up to 1.5 of it where the band is wide
+  Real scale;   ///< of the logistic, √(s² + (width/10)²) for a lobe of scale s
   Real width;   ///< over which the middle is spread, radians
   Real spread;  ///< 2 cosh(width/(2 scale))
   Real height;  ///< 2 sinh(width/(2 scale))/width, normalised as the lobe is

@@ -28,7 +28,7 @@ precise float pelage_sample_azimuthal(pelage_azimuthal_lobe lobe, float u);
 
 /// A lobe whose middle is spread evenly over a width: what stands for all offsets of one part of a fibre's width.
 struct pelage_azimuthal_band {
-  float scale;   ///< of the logistic, that of the lobe or up to 1.5 of it where the band is wide
+  float scale;   ///< of the logistic, √(s² + (width/10)²) for a lobe of scale s
   float width;   ///< over which the middle is spread, radians
   float spread;  ///< 2 cosh(width/(2 scale))
   float height;  ///< 2 sinh(width/(2 scale))/width, normalised as the lobe is
