@@ -8,6 +8,7 @@
 #include <pelage/visibility/lookup_jitter.hpp>
 #include <pelage/visibility/occupancy_map.hpp>
 #include <pelage/visibility/opacity_map.hpp>
+#include <pelage/visibility/receiver.hpp>
 
 #include <array>
 #include <bit>
@@ -87,6 +88,13 @@ void maps_row(row in, results& out) {
   const glm::vec2 jitter = lookup_jitter(in.u(2 * fragments + 4));
   out.put(jitter.x);
   out.put(jitter.y);
+  const glm::vec3 ray(in.f(2 * fragments + 5), in.f(2 * fragments + 6), -1.0F);
+  const glm::vec2 line = line_depth_slope(ray, in.v3(2 * fragments + 7), 64.0F);
+  out.put(line.x);
+  out.put(line.y);
+  const glm::vec2 plane = plane_depth_slope(ray, in.v3(2 * fragments + 7), 64.0F);
+  out.put(plane.x);
+  out.put(plane.y);
 }
 
 struct shadow {
@@ -118,7 +126,8 @@ TEST_CASE("Maps have the same bits on every device, look-ups in them differ by t
     inputs.push_back(added);
   }
   const auto length = rc::gen::oneOf(magnitude(-20, 20), between(-1.0F, 20.0F), any_normal_float());
-  inputs.insert(inputs.end(), {relative, length, length, any_word(), any_word()});
+  const auto slant = between(-2.0F, 2.0F);
+  inputs.insert(inputs.end(), {relative, length, length, any_word(), any_word(), slant, slant, slant, slant, slant});
   holds("maps", [&] {
     compare(kernels::visibility, inputs, maps_row,
             {{"depth_range", 2, bits(), bits()},
@@ -140,7 +149,9 @@ TEST_CASE("Maps have the same bits on every device, look-ups in them differ by t
              {"growing_layer_width", 1, 0, 3},
              {"layer_at", 1, bits(), bits()},
              {"mixed_bits", 1, bits(), bits()},
-             {"lookup_jitter", 2, 0, 0}});
+             {"lookup_jitter", 2, 0, 0},
+             {"line_depth_slope", 2, 0, 8},
+             {"plane_depth_slope", 2, 0, 8}});
   });
 }
 

@@ -4,8 +4,8 @@
 #extension GL_GOOGLE_include_directive : require
 // Maps of one invocation, and an occupancy map of a second size.
 #define FRAGMENTS 12u
-#define STRIDE (2u * FRAGMENTS + 5u)
-#define RESULTS 89u
+#define STRIDE (2u * FRAGMENTS + 10u)
+#define RESULTS 93u
 #include "table.glsl"
 
 // No invocation here writes to a cell that others see: the maps are structs.
@@ -17,6 +17,7 @@
 #include "pelage/glsl/visibility/lookup_jitter.glsl"
 #include "pelage/glsl/visibility/occupancy_map.glsl"
 #include "pelage/glsl/visibility/opacity_map.glsl"
+#include "pelage/glsl/visibility/receiver.glsl"
 
 #undef PELAGE_OCCUPANCY_MAP_SLICES
 #undef PELAGE_OCCUPANCY_MAP_SLABS
@@ -96,4 +97,11 @@ void main() {
   const vec2 jitter = pelage_lookup_jitter(u(2u * FRAGMENTS + 4u));
   give(jitter.x);
   give(jitter.y);
+  const vec3 ray = vec3(f(2u * FRAGMENTS + 5u), f(2u * FRAGMENTS + 6u), -1.0);
+  const vec2 line = pelage_line_depth_slope(ray, v3(2u * FRAGMENTS + 7u), 64.0);
+  give(line.x);
+  give(line.y);
+  const vec2 plane = pelage_plane_depth_slope(ray, v3(2u * FRAGMENTS + 7u), 64.0);
+  give(plane.x);
+  give(plane.y);
 }
