@@ -35,7 +35,7 @@ struct frame_settings {
   fibre_look look;               ///< how fibres scatter light
   float shading_spacing = 8.0F;  ///< pixels between the places of a segment that are shaded, [0, inf]; 0: each fragment
   bool antialias = true;
-  pixel_footprint footprint = pixel_footprint::inscribed;  ///< of the camera, where it is anti-aliased
+  pixel_footprint footprint = pixel_footprint::equal_area;  ///< of the camera, where it is anti-aliased
   std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera
   float opacity = -1.0F;          ///< of all fibres, [0, 1]; negative: the model's own
   float fibre_radius = -1.0F;     ///< of all fibres, length units, [0, inf); negative: the model's own

@@ -54,12 +54,16 @@ inline frame::view flat_view(int texels) {
   return frame::orthographic_view(glm::vec3(0.0F), {0.0F, 0.0F, -1.0F}, static_cast<float>(texels), texels);
 }
 
+inline pixel_footprint any_footprint() {
+  return *rc::gen::element(pixel_footprint::inscribed, pixel_footprint::equal_area, pixel_footprint::yu);
+}
+
 /// From +z toward the origin, wide enough that rounding at a picture's rim shows.
 inline frame::view any_perspective(float distance, float near_plane) {
   const int width = *rc::gen::inRange(1, 40);
   const int height = *rc::gen::inRange(1, 40);
   return frame::perspective_view({0.0F, 0.0F, distance}, glm::vec3(0.0F), any_float(0.2F, 1.0F), width, height,
-                                 near_plane);
+                                 near_plane, any_footprint());
 }
 
 inline frame::pixel_rect whole(const frame::view& v) {

@@ -104,7 +104,7 @@ TEST_CASE("a sweep finds exactly the pixels that hold the segment, and all lie w
   });
   holds("orthographic", [] {
     const glm::vec3 direction = any_vec3(-1.0F, 1.0F) + glm::vec3(0.0F, 0.0F, 1e-3F);
-    const view v = orthographic_view(any_vec3(-0.3F, 0.3F), direction, 2.0F, *rc::gen::inRange(1, 40));
+    const view v = orthographic_view(any_vec3(-0.3F, 0.3F), direction, 2.0F, *rc::gen::inRange(1, 40), any_footprint());
     assert_sweep_is_complete(fibres_of(any_lines(3, glm::vec3(0.0F), 1.5F), any_radius(-4.0F, 0.3F), 1.0F), v);
   });
   holds("fibres far outside the picture", [] {

@@ -8,12 +8,14 @@
 
 namespace pelage::inline PELAGE_ABI {
 
-/// The disc that stands for a pixel. A fibre covers the share of it that disc_strip_share() gives, so that the sum over
-/// pixels is the fibre's area in pixels on average for each of them.
+/// The disc that stands for a pixel: a fibre covers the share of it that disc_strip_share() gives. On average over its
+/// places the sum over pixels is the fibre's area in pixels, with each of them; how far the sum swings for an upright
+/// straight fibre 1/500 of a pixel wide, and the RMS of a pixel's share from the area of the fibre in the square pixel,
+/// over all angles and places within a pixel of its axis, both over the width, are:
 enum class pixel_footprint {
-  inscribed,   ///< touches the pixel's sides: radius 1/2
-  equal_area,  ///< as large as the pixel: radius 1/sqrt(pi)
-  yu           ///< two pixels wide, as [Yu12 Eq. 6] is printed: radius 1
+  inscribed,   ///< touches the pixel's sides, radius 1/2: 0.05 to 1.27, RMS 0.15; fibres between two columns vanish
+  equal_area,  ///< as large as the pixel, radius 1/sqrt(pi): 0.72 to 1.13, RMS 0.09; 1.13 times as many fragments
+  yu           ///< two pixels wide, radius 1, as [Yu12 Eq. 6] is printed: 0.65 to 1.10, RMS 0.37; twice as many
 };
 
 /// The disc's radius in sides of the pixel.

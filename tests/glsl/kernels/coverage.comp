@@ -31,8 +31,8 @@ void main() {
   put(5u, pelage_disc_strip_share(f(14u), radius, disc));
   put(6u, pelage_diagonal_ratio(start.xy));
   put(7u, pelage_line_width_share(start.xy, radius, disc));
-  const pelage_ray_cone cone = pelage_perspective_cone(f(15u), 1080);
-  const pelage_ray_cone cylinder = pelage_orthographic_cone(f(15u), 512);
+  const pelage_ray_cone cone = pelage_perspective_cone(f(15u), 1080, pelage_pixel_footprint_inscribed);
+  const pelage_ray_cone cylinder = pelage_orthographic_cone(f(15u), 512, pelage_pixel_footprint_equal_area);
   put(8u, cone.slope);
   put(9u, cylinder.base);
   put(10u, pelage_radius_at(cone, f(14u)));

@@ -4,11 +4,16 @@
 #ifndef PELAGE_COVERAGE_RAY_CONE_GLSL
 #define PELAGE_COVERAGE_RAY_CONE_GLSL
 
-/// The disc that stands for a pixel. A fibre covers the share of it that pelage_disc_strip_share() gives, so that the
-/// sum over pixels is the fibre's area in pixels on average for each of them.
-const int pelage_pixel_footprint_inscribed = 0;   ///< touches the pixel's sides: radius 1/2
-const int pelage_pixel_footprint_equal_area = 1;  ///< as large as the pixel: radius 1/sqrt(pi)
-const int pelage_pixel_footprint_yu = 2;          ///< two pixels wide, as [Yu12 Eq. 6] is printed: radius 1
+/// The disc that stands for a pixel: a fibre covers the share of it that pelage_disc_strip_share() gives. On average
+/// over its places the sum over pixels is the fibre's area in pixels, with each of them; how far the sum swings for an
+/// upright straight fibre 1/500 of a pixel wide, and the RMS of a pixel's share from the area of the fibre in the
+/// square pixel, over all angles and places within a pixel of its axis, both over the width, are:
+const int pelage_pixel_footprint_inscribed =
+    0;  ///< touches the pixel's sides, radius 1/2: 0.05 to 1.27, RMS 0.15; fibres between two columns vanish
+const int pelage_pixel_footprint_equal_area =
+    1;  ///< as large as the pixel, radius 1/sqrt(pi): 0.72 to 1.13, RMS 0.09; 1.13 times as many fragments
+const int pelage_pixel_footprint_yu =
+    2;  ///< two pixels wide, radius 1, as [Yu12 Eq. 6] is printed: 0.65 to 1.10, RMS 0.37; twice as many
 
 /// The disc's radius in sides of the pixel.
 float pelage_disc_radius(int footprint) {
