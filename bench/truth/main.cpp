@@ -43,7 +43,8 @@ void print_ball(const options& o) {
 }
 
 std::vector<subject> timed(int samples) {
-  return {built_in(5000, 48, 160, samples), built_in(50000, 48, 320, samples), built_in(50000, 48, 640, samples)};
+  return {built_in(5000, 48, 160, 8 * samples), built_in(50000, 48, 320, 2 * samples),
+          built_in(50000, 48, 640, samples)};
 }
 
 int run(CLI::App& app, int argc, char** argv) {
@@ -79,7 +80,8 @@ int run(CLI::App& app, int argc, char** argv) {
     save_pictures(o.chosen(), o.out, "hair");
     save_pictures(ball_before_hair(o.size, o.samples), o.out, "ball");
   });
-  add("time", "seconds of rays for the frame's RMS", [&] { print_times(timed(o.samples), o.rounds); });
+  add("time", "seconds of rays for the frame's RMS; smaller pictures have more samples",
+      [&] { print_times(timed(o.samples), o.rounds); });
   add("gates", "whether the frame keeps its bounds; exits 1 if not", [&] { status = check_gates() ? 0 : 1; });
   app.parse(argc, argv);
   return status;
