@@ -14,8 +14,8 @@ class coverage_sum final : public frame::pixel_visitor {
   coverage_sum(const frame::raster& from, drawn_coverage& sum) : from_(from), sum_(sum) {}
 
   void expect(std::span<const std::uint32_t>) override {}
-  void lose(int, int, std::span<const frame::pixel_fragment>, tail&) override {}
-  void finish(int x, int y, std::span<const frame::pixel_fragment> nearest, const tail&) override {
+  void lose(int, int, std::span<const frame::pixel_fragment>, std::span<tail>) override {}
+  void finish(int x, int y, std::span<const frame::pixel_fragment> nearest, std::span<const tail>) override {
     double passed = 1;
     double entries = 0;
     for (const frame::pixel_fragment& f : nearest) {

@@ -107,13 +107,13 @@ wide3 scene::solid_radiance(const wide3& position, const solid_hit<wide>& hit, s
   for (const lit& l : lights) {
     const arrival_of<wide> in = light_at(l.source, bounds, position);
     const wide facing = dot_product(hit.normal, in.to_light);
+    const std::uint32_t facing_lanes = set & bits(facing > zero);
+    if (facing_lanes == 0) continue;
     wide passed(1.0F);
     if (l.shadow) {
       const auto open = distance_to(l.source, position) < opaque.free_way(position, in.to_light);
-      const std::uint32_t lit_lanes = set & bits(facing > zero) & bits(open);
-      const wide among_fibres =
-          l.shadow->passed_to(l.shadow->find_on_surfaces(position, hit.normal, lit_lanes)).transmittance;
-      passed = select(open, among_fibres, zero);
+      const auto spots = l.shadow->find_on_surfaces(position, hit.normal, facing_lanes & bits(open));
+      passed = select(open, l.shadow->passed_to(spots).transmittance, zero);
     }
     sum = sum + select(facing > zero, passed * facing * in.colour, wide3(zero));
   }
