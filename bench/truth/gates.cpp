@@ -49,12 +49,15 @@ void check_fibre(gates& g) {
 
 void check_light(gates& g, const subject& s, const lighting& scene) {
   const shadow_judge rays(scene, 16);
-  frame::frame_settings settings = s.settings;
-  settings.shadow = frame::parse_shadow("exact");
-  const shadow_judge::errors e = rays.errors_of(settings);
-  for (std::size_t i = 0; i < e.fibres.size(); ++i) {
-    g.below(fmt::format("light {} on fibres against rays, %", i + 1), 100.0 * e.fibres[i].ratio, 1.0);
-    g.below(fmt::format("light {} on opaque objects against rays, %", i + 1), 100.0 * e.opaque[i].ratio, 1.0);
+  for (const char* const method : {"exact", "k_buffer"}) {
+    frame::frame_settings settings = s.settings;
+    settings.shadow = frame::parse_shadow(method);
+    const shadow_judge::errors e = rays.errors_of(settings);
+    for (std::size_t i = 0; i < e.fibres.size(); ++i) {
+      g.below(fmt::format("light {} on fibres by {} against rays, %", i + 1, method), 100.0 * e.fibres[i].ratio, 1.0);
+      g.below(fmt::format("light {} on opaque objects by {} against rays, %", i + 1, method), 100.0 * e.opaque[i].ratio,
+              1.0);
+    }
   }
 }
 
