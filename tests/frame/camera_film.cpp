@@ -88,7 +88,7 @@ double worst_pixel(const Finish& finish) {
 TEST_CASE("at an object's edge each part of a pixel shows the fibres that lie before what is opaque in it") {
   holds("fragments in order", [] {
     RC_ASSERT(worst_pixel([](camera_film& film, int x, int y, const std::vector<pixel_fragment>& fragments) {
-                film.finish(x, y, fragments, empty_tail());
+                film.finish(x, y, fragments, {});
               }) < 1e-5);
   });
   holds("by another blend", [] {
@@ -115,7 +115,7 @@ TEST_CASE("fragments that are lost behind an edge are not seen before it, in wha
                 } else {
                   fragments.assign(lost_number + 1, {0, depth, coverage, 0.5F});
                 }
-                tail behind = empty_tail();
+                std::vector<tail> behind(film.tails(), empty_tail());
                 const std::span<const pixel_fragment> all(fragments);
                 if (!all.empty()) film.lose(x, y, all.subspan(1), behind);
                 film.finish(x, y, all.first(std::min<std::size_t>(all.size(), 1)), behind);

@@ -48,7 +48,8 @@ class pixel_visitor {
   virtual void lose_lanes(const drawn_fragments& lost, const std::array<std::uint32_t, raster::width>& tail_of,
                           std::span<tail> behind);
 
-  /// The pixel's fragments, nearest first, and its tails. Once a pixel, pixels without fragments included.
+  /// The pixel's fragments, nearest first, and its tails; none where all are kept. Once a pixel, pixels without
+  /// fragments included.
   virtual void finish(int x, int y, std::span<const pixel_fragment> nearest, std::span<const tail> behind) = 0;
 };
 

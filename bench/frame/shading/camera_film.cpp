@@ -71,8 +71,9 @@ void camera_film::finish(int x, int y, std::span<const pixel_fragment> nearest, 
     pixel =
         add_fibre(pixel, f.depth < backdrop.edge, shades_.at(f.id, f.along), glm::vec3(1.0F - opacity(f)), f.coverage);
   }
-  for (std::uint32_t slice = 0; slice < slices_; ++slice)
-    pixel = add_tails(pixel, behind[slice], behind[slices_ + slice]);
+  const std::size_t slices = behind.size() / 2;
+  for (std::size_t slice = 0; slice < slices; ++slice)
+    pixel = add_tails(pixel, behind[slice], behind[slices + slice]);
   picture_.at(x, y) = resolve(pixel, backdrop);
 }
 
