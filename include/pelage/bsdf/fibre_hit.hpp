@@ -14,7 +14,8 @@
 namespace pelage::inline PELAGE_ABI {
 
 /// From a ray tracer's hit on a curve to what the lobes take: h with its sign, and directions in the fibre's frame.
-/// Where no hit is known, offset_across() has h of a ray that passes by.
+/// offset_across() has h from closest_points(). A ray that misses the fibre has no h, as most through the middle of a
+/// pixel wider than the fibre: evaluate_chiang_far() is for these.
 
 /// Right-handed, of unit vectors: x along the fibre, y across it on the eye's side, so that the eye's azimuth φ is 0.
 template <std::floating_point Real>

@@ -17,8 +17,8 @@
 /// the receiver's depth there, in a perspective map to first order in the offset.
 ///
 /// `steepest`: the slope's greatest length, (0, 2¹⁶]. A slope that would be longer is `steepest`² over it, in the same
-/// direction: 0 end on, where a texel's offset says nothing. Directions may have any length in [2⁻⁸, 2⁸]; 0 gives 0.
-/// NaN gives NaN.
+/// direction: 0 end on, where a texel's offset says nothing. The renderer takes 64, and looks a fibre up its own width
+/// before that depth. Directions may have any length in [2⁻⁸, 2⁸]; 0 gives 0. NaN gives NaN.
 
 /// Of a fibre along `tangent`, of either sign: the slope of pelage_closest_points' `along_ray`, so of its fragments.
 vec2 pelage_line_depth_slope(vec3 ray, vec3 tangent, float steepest);
