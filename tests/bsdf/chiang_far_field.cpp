@@ -314,6 +314,28 @@ TEST_CASE("a far sample carries what evaluation says, has density wherever it ha
   CHECK(not_unit == 0);
 }
 
+TEST_CASE("hair so black that it has paths of almost no weight draws no far direction of density 0") {
+  int without_density = 0;
+  for (float sigma = 5.0f; sigma < 60.0f; sigma *= 1.2f) {
+    for (const float along : {0.02f, 0.1f}) {
+      for (const float round : {0.05f, 1.0f}) {
+        const auto fibre = make_chiang_fibre<float>({1.55f, {sigma, sigma, sigma}, along, round, -0.035f});
+        for (const double theta : {0.0, 1.0, 1.5}) {
+          const auto eye = fibre_direction_of(test::unit_vector<float>(theta, 2.0));
+          for (int point = 0; point < 81; ++point) {
+            const auto number = [&](int power) {
+              return std::array<float, 3>{0.0f, 0.3f, 0.99999994f}[static_cast<std::size_t>(point / power % 3)];
+            };
+            const auto sample = sample_chiang_far(fibre, eye, {number(1), number(3), number(9), number(27)});
+            without_density += sample.result.density > 0.0f ? 0 : 1;
+          }
+        }
+      }
+    }
+  }
+  CHECK(without_density == 0);
+}
+
 TEST_CASE("a fibre that is black in every lobe has no far density and no NaN") {
   auto fibre = make_chiang_fibre<float>({1.0f, {1e30f, 1e30f, 1e30f}, 0.3f, 0.3f, 0.0f});
   fibre.tints = {0.0f, 0.0f, 0.0f, 0.0f};

@@ -175,6 +175,31 @@ TEST_CASE("a fibre that is not black draws no direction of density 0, at the cor
   CHECK(without_weight == 0);
 }
 
+TEST_CASE("nor does hair so black that it has lobes of almost no weight") {
+  int without_density = 0;
+  for (float sigma = 5.0f; sigma < 60.0f; sigma *= 1.05f) {
+    for (const float along : {0.0f, 0.02f, 0.1f}) {
+      for (const float round : {0.05f, 0.3f, 1.0f}) {
+        const auto fibre = make_chiang_fibre<float>({1.55f, {sigma, sigma, sigma}, along, round, -0.035f});
+        for (const double theta : {0.0, 0.7, 1.3}) {
+          for (const float h : {0.0f, 0.9f}) {
+            const auto view = view_chiang(fibre, h, fibre_direction_of(test::unit_vector<float>(theta, 2.0)));
+            for (int point = 0; point < 81; ++point) {
+              const auto number = [&](int power) {
+                return std::array<float, 3>{0.0f, 0.3f, 0.99999994f}[static_cast<std::size_t>(point / power % 3)];
+              };
+              const auto sample =
+                  sample_chiang(fibre, view, std::array<float, 4>{number(1), number(3), number(9), number(27)});
+              without_density += sample.result.density > 0.0f ? 0 : 1;
+            }
+          }
+        }
+      }
+    }
+  }
+  CHECK(without_density == 0);
+}
+
 TEST_CASE("a fibre that is black in every lobe has density 0 and no NaN") {
   const float inf = std::numeric_limits<float>::infinity();
   const auto fibre = make_chiang_fibre<float>({1.0f, {inf, inf, inf}, 0.3f, 0.3f, 0.0f});

@@ -149,7 +149,7 @@ struct chiang_far_choice {
   chiang_far_path<Real> path;  ///< the one chosen so far
   std::uint32_t lobe;
   Real sum;   ///< of all paths so far
-  Real left;  ///< the number that chooses, [0, 1), of which each choice leaves an even one
+  Real left;  ///< the number that chooses, [3e-8, 1), so none of a lesser share; each choice leaves an even one
 };
 
 template <std::floating_point Real>
@@ -160,7 +160,7 @@ inline void offer_path(chiang_far_choice<Real>& choice, const chiang_far_path<Re
   const Real share = choice.sum > Real(0) ? offered / choice.sum : Real(0);
   const bool taken = choice.left < share;
   const Real rest = taken ? choice.left / share : (choice.left - share) / (Real(1) - share);
-  choice.left = least(greatest(rest, Real(0)), Real(0.99999994));
+  choice.left = least(greatest(rest, Real(3e-8)), Real(0.99999994));
   if (taken) {
     choice.path = path;
     choice.lobe = lobe;
@@ -240,7 +240,7 @@ chiang_sample<Real> sample_chiang_far(const chiang_fibre<Real>& fibre, const fib
   choice.path = detail::reflect_in_cell(fibre, eye.cosine, 0, 2 * cells, passed);
   choice.lobe = 0u;
   choice.sum = Real(0);
-  choice.left = u[0];
+  choice.left = greatest(u[0], Real(3e-8));
   for (int k = 0; k < 2 * cells; ++k) {
     const detail::chiang_far_path<Real> path = detail::reflect_in_cell(fibre, eye.cosine, k, 2 * cells, passed);
     detail::offer_path(choice, path, 0u);

@@ -45,14 +45,24 @@ template <std::floating_point Real>
 
 namespace detail {
 
-/// The lobe that a number in [0, 1) picks by its weight. A residual lobe of weight 0 is not picked.
+/// A lobe's weight, or 0 where one float in [0, 1) at most would draw it: its directions may have density 0.
+template <std::floating_point Real>
+[[nodiscard]] inline Real weight_to_draw(Real weight) noexcept {
+  return weight > Real(3e-8) ? weight : Real(0);
+}
+
+/// The lobe that a number in [0, 1) picks by its weight. A lobe of weight 0 is not picked, unless all are.
 template <std::floating_point Real>
 [[nodiscard]] inline std::uint32_t pick_chiang_lobe(const std::array<Real, 4>& weights, Real u) noexcept {
-  const Real first = weights[0];
-  const Real second = first + weights[1];
-  const Real third = second + weights[2];
-  const bool residual = u >= third && weights[3] > Real(0);
-  return residual ? 3u : (u < first ? 0u : (u < second ? 1u : 2u));
+  const Real tt = weight_to_draw(weights[1]);
+  const Real trt = weight_to_draw(weights[2]);
+  const Real residual = weight_to_draw(weights[3]);
+  const Real first = weight_to_draw(weights[0]);
+  const Real second = first + tt;
+  const Real third = second + trt;
+  return u >= third && residual > Real(0)
+             ? 3u
+             : (u >= second && trt > Real(0) ? 2u : (u >= first && tt > Real(0) ? 1u : 0u));
 }
 
 /// Draws a direction from one lobe: its M round the eye's tilted inclination, its N round the middle, or for the

@@ -132,7 +132,7 @@ struct pelage_detail_chiang_far_choice {
   pelage_detail_chiang_far_path path;  ///< the one chosen so far
   uint lobe;
   float sum;   ///< of all paths so far
-  float left;  ///< the number that chooses, [0, 1), of which each choice leaves an even one
+  float left;  ///< the number that chooses, [3e-8, 1), so none of a lesser share; each choice leaves an even one
 };
 
 void pelage_detail_offer_path(precise inout pelage_detail_chiang_far_choice choice, pelage_detail_chiang_far_path path,
@@ -142,7 +142,7 @@ void pelage_detail_offer_path(precise inout pelage_detail_chiang_far_choice choi
   const float share = choice.sum > 0.0 ? offered / choice.sum : 0.0;
   const bool taken = choice.left < share;
   const float rest = taken ? choice.left / share : (choice.left - share) / (1.0 - share);
-  choice.left = pelage_least(pelage_greatest(rest, 0.0), 0.99999994);
+  choice.left = pelage_least(pelage_greatest(rest, 3e-8), 0.99999994);
   if (taken) {
     choice.path = path;
     choice.lobe = lobe;
@@ -219,7 +219,7 @@ precise pelage_chiang_sample pelage_sample_chiang_far(pelage_chiang_fibre fibre,
   choice.path = pelage_detail_reflect_in_cell(fibre, eye.cosine, 0, 2 * cells, passed);
   choice.lobe = 0u;
   choice.sum = 0.0;
-  choice.left = u[0];
+  choice.left = pelage_greatest(u[0], 3e-8);
   for (int k = 0; k < 2 * cells; ++k) {
     const pelage_detail_chiang_far_path path = pelage_detail_reflect_in_cell(fibre, eye.cosine, k, 2 * cells, passed);
     pelage_detail_offer_path(choice, path, 0u);

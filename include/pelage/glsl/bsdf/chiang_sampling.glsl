@@ -32,13 +32,20 @@ precise pelage_chiang_bsdf pelage_evaluate_chiang_bsdf(pelage_chiang_fibre fibre
 /// [Chiang 2016; d'Eon 2013]
 precise pelage_chiang_sample pelage_sample_chiang(pelage_chiang_fibre fibre, pelage_chiang_view view, float u[4]);
 
-/// The lobe that a number in [0, 1) picks by its weight. A residual lobe of weight 0 is not picked.
+/// A lobe's weight, or 0 where one float in [0, 1) at most would draw it: its directions may have density 0.
+float pelage_detail_weight_to_draw(float weight) {
+  return weight > 3e-8 ? weight : 0.0;
+}
+
+/// The lobe that a number in [0, 1) picks by its weight. A lobe of weight 0 is not picked, unless all are.
 precise uint pelage_detail_pick_chiang_lobe(float weights[4], float u) {
-  const float first = weights[0];
-  const float second = first + weights[1];
-  const float third = second + weights[2];
-  const bool residual = u >= third && weights[3] > 0.0;
-  return residual ? 3u : (u < first ? 0u : (u < second ? 1u : 2u));
+  const float tt = pelage_detail_weight_to_draw(weights[1]);
+  const float trt = pelage_detail_weight_to_draw(weights[2]);
+  const float residual = pelage_detail_weight_to_draw(weights[3]);
+  const float first = pelage_detail_weight_to_draw(weights[0]);
+  const float second = first + tt;
+  const float third = second + trt;
+  return u >= third && residual > 0.0 ? 3u : (u >= second && trt > 0.0 ? 2u : (u >= first && tt > 0.0 ? 1u : 0u));
 }
 
 /// Draws a direction from one lobe: its M round the eye's tilted inclination, its N round the middle, or for the
