@@ -33,7 +33,8 @@ template <real_number Real>
 }
 
 /// The two parts of a pixel while its fibres are added front to back: exact where the samples of each of the two
-/// surfaces are at one depth. The same bits as pixel_radiance has while nothing lies behind the edge.
+/// surfaces are at one depth. The same bits as pixel_radiance has while nothing lies behind the edge and all radiance
+/// is finite; infinite radiance gives NaN.
 template <std::floating_point Real>
 struct divided_pixel {
   pixel_radiance<Real> near_part;  ///< of the fibres before the edge

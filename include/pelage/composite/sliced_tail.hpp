@@ -18,9 +18,10 @@ namespace pelage::inline PELAGE_ABI {
 ///
 /// The slices divide a range that is known before the fragments are, such as that of all fibres' points in the view:
 /// it may be wide of the pixel's own, which costs slices, or too narrow, which puts what lies beyond an end into the
-/// slice there. Exact, except for rounding, where no slice holds two fragments, and where those of each slice have one
-/// colour; a colour is never outside of the hull of the fragments'. Which number is enough is measured in
-/// bench/README.md. For many threads each slice is a texel of an atomic_tail: pixel · Slices + layer_at(position).
+/// slice there. Exact where no slice holds two fragments, and where those of each slice have one colour; a slice's
+/// colour is never outside of the hull of its fragments'. Both except for rounding, as tail tells it: an alpha of 2⁻²⁰
+/// leaves a colour one bit, and adds as little. Which number is enough is measured in bench/README.md. For many threads
+/// each slice is a texel of an atomic_tail: pixel · Slices + layer_at(position).
 template <std::uint32_t Slices = 16u>
 struct sliced_tail {
   static_assert(Slices > 0u, "pelage::sliced_tail<Slices>: at least one slice");

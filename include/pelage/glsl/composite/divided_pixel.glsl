@@ -26,7 +26,8 @@ precise float pelage_parting_depth(float nearest, float farthest) {
 }
 
 /// The two parts of a pixel while its fibres are added front to back: exact where the samples of each of the two
-/// surfaces are at one depth. The same bits as pelage_pixel_radiance has while nothing lies behind the edge.
+/// surfaces are at one depth. The same bits as pelage_pixel_radiance has while nothing lies behind the edge and all
+/// radiance is finite; infinite radiance gives NaN.
 struct pelage_divided_pixel {
   pelage_pixel_radiance near_part;  ///< of the fibres before the edge
   pelage_pixel_radiance far_part;   ///< of all fibres
