@@ -12,7 +12,7 @@
 
 namespace pelage::test {
 
-static_assert(radius_at(perspective_cone(1.0f, 4), 2.0f) == 0.5f);
+static_assert(radius_at(perspective_cone(1.0f, 4, pixel_footprint::inscribed), 2.0f) == 0.5f);
 
 TEST_CASE("a perspective pixel's disc touches the sides of the pixel, projected back to its depth") {
   worst_case worst;
@@ -25,8 +25,9 @@ TEST_CASE("a perspective pixel's disc touches the sides of the pixel, projected 
     const auto side_at = [&](int pixel) { return (2.0 * pixel / height - 1.0) * tan_half_fov * depth; };
     const int pixel = static_cast<int>(row * height);
     const double radius = 0.5 * (side_at(pixel + 1) - side_at(pixel));
-    worst.see(relative_error(radius_at(perspective_cone(tan_half_fov, height), depth), radius),
-              {tan_half_fov, static_cast<double>(height), depth});
+    worst.see(
+        relative_error(radius_at(perspective_cone(tan_half_fov, height, pixel_footprint::inscribed), depth), radius),
+        {tan_half_fov, static_cast<double>(height), depth});
   }
   CHECK_MESSAGE(worst.error < 2e-7, worst);
 }
@@ -38,7 +39,7 @@ TEST_CASE("the discs of an orthographic map stand side by side across its extent
     const float extent = static_cast<float>(on_log_scale(u, 1e-3, 1e3));
     const int texels = static_cast<int>(on_log_scale(v, 1.0, 1e5));
     const float depth = static_cast<float>(2e4 * w - 1e4);
-    const float diameter = 2.0f * radius_at(orthographic_cone(extent, texels), depth);
+    const float diameter = 2.0f * radius_at(orthographic_cone(extent, texels, pixel_footprint::inscribed), depth);
     worst.see(relative_error(static_cast<double>(diameter) * texels, extent), {extent, static_cast<double>(texels)});
   }
   CHECK_MESSAGE(worst.error < 1e-7, worst);

@@ -98,7 +98,7 @@ TEST_CASE("Coverage agrees within the stated ulps") {
               out.put(disc_strip_share(in.f(14), in.f(12), in.f(13)));
               out.put(diagonal_ratio(extent));
               out.put(line_width_share(extent, in.f(12), in.f(13)));
-              const ray_cone<float> cone = perspective_cone(in.f(15), 1080);
+              const ray_cone<float> cone = perspective_cone(in.f(15), 1080, pixel_footprint::inscribed);
               const ray_cone<float> cylinder = orthographic_cone(in.f(15), 512, pixel_footprint::equal_area);
               out.put(cone.slope);
               out.put(cylinder.base);

@@ -40,14 +40,14 @@ struct ray_cone {
 /// `height`: pixels from bottom to top, [1, inf).
 template <std::floating_point Real>
 [[nodiscard]] constexpr ray_cone<Real> perspective_cone(
-    Real tan_half_fov, int height, pixel_footprint footprint = pixel_footprint::inscribed) noexcept {
+    Real tan_half_fov, int height, pixel_footprint footprint = pixel_footprint::equal_area) noexcept {
   return ray_cone<Real>{Real(0), Real(2) * disc_radius<Real>(footprint) * tan_half_fov / Real(height)};
 }
 
 /// The cylinder of an orthographic map's texel: `extent` length units across `texels` texels, [1, inf).
 template <std::floating_point Real>
 [[nodiscard]] constexpr ray_cone<Real> orthographic_cone(
-    Real extent, int texels, pixel_footprint footprint = pixel_footprint::inscribed) noexcept {
+    Real extent, int texels, pixel_footprint footprint = pixel_footprint::equal_area) noexcept {
   return ray_cone<Real>{disc_radius<Real>(footprint) * extent / Real(texels), Real(0)};
 }
 
