@@ -45,9 +45,9 @@ struct caustic_point {
 /// The roots of path p: 0 is R, 1 TT, 2 TRT. `phi`: azimuth in radians, any; `excess`: η′² - 1 = (η² - 1)/cos²θ_d,
 /// (0, inf), which keeps digits that η′ has lost. Symmetric: -φ negates every h. NaN gives no roots.
 ///
-/// Absolute error of h in float for |dφ/dh| ≥ 0.2 and an excess in [1e-4, 1000]: below 2e-7 for R and TT, 7e-7 where
+/// Absolute error of h in float for |dφ/dh| ≥ 0.2 and an excess in [1e-4, 1000]: below 2.5e-7 for R and TT, 7e-7 where
 /// φ is beyond ±π and wrapped, up to ±1000; for TRT below 1e-6 max(1, 0.6/√excess)/min(1, |dφ/dh|). In double 2e-15
-/// stands in the place of 1e-6.
+/// stands in the place of 1e-6. R's h = 1 and -1 are one azimuth, ±π: within rounding of it either may come.
 template <std::floating_point Real>
 [[nodiscard]] scattering_roots<Real> find_scattering_roots(int path, Real phi, Real excess) noexcept;
 
