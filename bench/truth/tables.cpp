@@ -127,7 +127,15 @@ void print_choices(const subject& s, const judge& rays) {
     settings.k = k;
     row(fmt::format("--k {}", k), settings, true);
   }
+  for (const char* tail : {"none", "sliced:4", "sliced:8", "sliced:16"}) {
+    frame::frame_settings settings = s.settings;
+    settings.tails = frame::parse_tail(tail);
+    row(fmt::format("--tail {}", tail), settings, true);
+  }
   frame::frame_settings settings = s.settings;
+  settings.footprint = pixel_footprint::inscribed;
+  row("--footprint inscribed", settings, true);
+  settings.footprint = s.settings.footprint;
   settings.shading_spacing = 0.0F;
   row("--shading-spacing 0", settings, true);
   settings.blend = frame::parse_blend("exact");

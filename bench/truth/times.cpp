@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "frame/blends/blend_choice.hpp"
 #include "truth/draws.hpp"
 #include "truth/tables.hpp"
 
@@ -63,14 +64,15 @@ struct timing {
 };
 
 /// Frames and samples in turns, twice as many samples each round, until the error is below the frame's.
-timing race(const subject& s, const judge& rays, double frame_square, int rounds) {
+timing race(const subject& s, const frame::frame_settings& settings, const judge& rays, double frame_square,
+            int rounds) {
   drawn_by_rays drawn(rays.scene());
   std::vector<spent> frames;
   std::vector<spent> draws;
   std::vector<error_at> errors;
   for (int round = 0; round < rounds || errors.back().square > frame_square; ++round) {
     if (drawn.samples() >= most_samples) break;
-    frames.push_back(time_spent([&] { (void)draw(s, s.settings); }));
+    frames.push_back(time_spent([&] { (void)draw(s, settings); }));
     const int samples = std::max(1, drawn.samples());
     const spent all = time_spent([&] { drawn.add(samples); });
     draws.push_back({all.seconds / samples, all.processor_seconds / samples});
@@ -87,20 +89,25 @@ timing race(const subject& s, const judge& rays, double frame_square, int rounds
 void print_times(const std::vector<subject>& subjects, int rounds) {
   fmt::print("Seconds for the frame's RMS, medians, interleaved; Embree's hierarchy apart:\n\n");
   fmt::print(
-      "| strands | size | frame's RMS | frame, s | samples a pixel | a sample, s | rays, s | rays / frame | by "
+      "| strands | size | --tail | frame's RMS | frame, s | samples a pixel | a sample, s | rays, s | rays / frame | "
+      "by "
       "processor "
       "time | hierarchy, s |\n");
-  fmt::print("| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+  fmt::print("| ---: | ---: | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n");
   for (const subject& s : subjects) {
     const judge rays(s);
-    const squared_error error = rays.error_of(s.settings).all;
-    const timing t = race(s, rays, error.mean_square(), std::max(rounds, 3));
-    fmt::print("| {} | {} | {:.5f} | {:.3f} | {:.1f} | {:.3f} | {:.2f} | {:.1f}× | {:.1f}× | {:.2f} |\n",
-               s.model.strand_count(), s.settings.width, error.rms(), t.frame.seconds, t.samples, t.sample.seconds,
-               t.samples * t.sample.seconds, t.samples * t.sample.seconds / t.frame.seconds,
-               t.samples * t.sample.processor_seconds / t.frame.processor_seconds,
-               rays.scene().fibres().build_seconds());
-    std::fflush(stdout);
+    for (const char* const tail : {"mean", "sliced:16"}) {
+      frame::frame_settings settings = s.settings;
+      settings.tails = frame::parse_tail(tail);
+      const squared_error error = rays.error_of(settings).all;
+      const timing t = race(s, settings, rays, error.mean_square(), std::max(rounds, 3));
+      fmt::print("| {} | {} | `{}` | {:.5f} | {:.3f} | {:.1f} | {:.3f} | {:.2f} | {:.1f}× | {:.1f}× | {:.2f} |\n",
+                 s.model.strand_count(), settings.width, tail, error.rms(), t.frame.seconds, t.samples,
+                 t.sample.seconds, t.samples * t.sample.seconds, t.samples * t.sample.seconds / t.frame.seconds,
+                 t.samples * t.sample.processor_seconds / t.frame.processor_seconds,
+                 rays.scene().fibres().build_seconds());
+      std::fflush(stdout);
+    }
   }
   fmt::print("\n");
 }
