@@ -59,13 +59,13 @@ const std::array<std::array<double, 3>, 6> colours = {std::array<double, 3>{0.0,
                                                       std::array<double, 3>{2.0, 4.0, 1e30}};
 
 constexpr std::array<double, 3> along = {0.08, 0.3, 0.9};  ///< β_m
-constexpr std::array<double, 9> lights = {-1.5, -1.1, -0.7, -0.3, 0.0, 0.2, 0.6, 1.2, 1.5};
+constexpr std::array<double, 10> lights = {-1.5, -1.1, -0.7, -0.3, 0.0, 0.2, 0.6, 1.2, 1.5, 1.5707};
 
 /// The greatest error over all eyes and azimuths by the greatest value there, at the worst of β_m, θ_i and channels.
 double worst_error(const std::array<double, 3>& sigma_a, double beta_n, double eta) {
   const std::vector<double> phis = half_circle(41);
   std::array<std::array<std::array<double, 3>, lights.size()>, along.size()> error{}, greatest{};
-  for (const double theta_o : {-1.569, -1.3, -0.8, -0.2, 0.0, 0.45, 0.6, 1.0, 1.45, 1.56}) {
+  for (const double theta_o : {-1.5707, -1.569, -1.3, -0.8, -0.2, 0.0, 0.45, 0.6, 1.0, 1.45, 1.56}) {
     const auto eye = fibre_direction_of(test::unit_vector<double>(theta_o, 0.0));
     const auto fibre = fibre_of(sigma_a, 0.3, beta_n, eta);
     const auto expected = by_brute_force(fibre, theta_o, phis, beta_n < 0.12 ? 1200 : 400);
@@ -118,6 +118,8 @@ TEST_CASE("the average is within 0.01 of the greatest value at the same inclinat
     error.see(worst_error(colours[1], 0.05, eta), {eta, 0.05});
     error.see(worst_error(colours[4], 0.15, eta), {eta, 0.15});
   }
+  error.see(worst_error(colours[1], 0.2534, 1.49), {1.49, 0.2534});
+  error.see(worst_error(colours[1], 0.2579, 1.49), {1.49, 0.2579});
   MESSAGE("worst ", error);
   CHECK_MESSAGE(error.error < 0.01, error);
 }

@@ -14,7 +14,7 @@ namespace pelage::inline PELAGE_ABI {
 ///
 /// Half the width is cut into cells; the other half mirrors it. In a cell the attenuation is that of its middle, and
 /// the middle of a lobe moves evenly, so that its N is a band and no cell shows by itself however narrow the lobe is.
-/// The number of cells is 12 for β_n from 0.3 on and grows with the root of 1/s to 36 at 0.05 and 40 at most; R, which
+/// The number of cells is 12 for β_n from 0.3 on and grows with the root of 1/s to 37 at 0.05 and 40 at most; R, which
 /// absorption leaves alone, has twice as many, crowded at the edge, where Fresnel's term is steep.
 ///
 /// Error: at most 0.01 of the greatest value at the same θ_i for η in [1.4, 1.8], any absorption and inclinations and
@@ -81,7 +81,7 @@ template <std::floating_point Real>
 /// The number of cells for a fibre.
 template <std::floating_point Real>
 [[nodiscard]] inline int chiang_far_cells(const chiang_fibre<Real>& fibre) noexcept {
-  const int cells = static_cast<int>(Real(3.6) / square_root(fibre.azimuthal.scale)) + 1;
+  const int cells = static_cast<int>(Real(3.66) / square_root(fibre.azimuthal.scale)) + 1;
   return cells < 12 ? 12 : (cells < 40 ? cells : 40);
 }
 

@@ -16,7 +16,7 @@
 ///
 /// Half the width is cut into cells; the other half mirrors it. In a cell the attenuation is that of its middle, and
 /// the middle of a lobe moves evenly, so that its N is a band and no cell shows by itself however narrow the lobe is.
-/// The number of cells is 12 for β_n from 0.3 on and grows with the root of 1/s to 36 at 0.05 and 40 at most; R, which
+/// The number of cells is 12 for β_n from 0.3 on and grows with the root of 1/s to 37 at 0.05 and 40 at most; R, which
 /// absorption leaves alone, has twice as many, crowded at the edge, where Fresnel's term is steep.
 ///
 /// Error: at most 0.01 of the greatest value at the same θ_i for η in [1.4, 1.8], any absorption and inclinations and
@@ -70,7 +70,7 @@ precise pelage_detail_width_cell pelage_detail_width_cell_of(int cell, int count
 
 /// The number of cells for a fibre.
 precise int pelage_detail_chiang_far_cells(pelage_chiang_fibre fibre) {
-  const int cells = int(3.6 / pelage_square_root(fibre.azimuthal.scale)) + 1;
+  const int cells = int(3.66 / pelage_square_root(fibre.azimuthal.scale)) + 1;
   return cells < 12 ? 12 : (cells < 40 ? cells : 40);
 }
 
