@@ -164,19 +164,20 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--order", order, "how fragments are put in order")
       ->check(CLI::IsMember(names(order_names)))
       ->capture_default_str();
-  app.add_option("--shadow", c.shadow,
-                 "what a light's map keeps: k_buffer, occupancy, opacity:N or deep_opacity:N with N layers, 4 to 256, "
-                 "deep:ERR with the greatest error, or exact; --k and --order are k_buffer's")
+  app.add_option(
+         "--shadow", c.shadow,
+         "what a light's map keeps: k_buffer, occupancy, opacity:N or deep_opacity:N with N layers, 4, 8 ... 256, "
+         "deep:ERR with the greatest error, or exact; --k and --order are k_buffer's")
       ->capture_default_str();
   app.add_option("--blend", c.blend,
                  "how fragments become a pixel: k_buffer, exact, order_weighted, weighted_average, weighted_blended, "
-                 "depth_peeling or stochastic:N with N samples, 1 to 64; --k and --order are k_buffer's")
+                 "depth_peeling or stochastic:N with N samples, 1, 2, 4 ... 64; --k and --order are k_buffer's")
       ->capture_default_str();
   CLI::Option* tail =
       app.add_option(
              "--tail", c.tail,
              "what k_buffer's blending keeps of what is not among the K nearest: mean, none, or sliced:N for the "
-             "mean of each of N slices of depth, 2 to 64; on the CPU alone")
+             "mean of each of N slices of depth, 2, 4, 8 ... 64; on the CPU alone")
           ->capture_default_str();
   app.add_option("--components", shown, "what is drawn")
       ->check(CLI::IsMember(names(component_names)))
