@@ -51,6 +51,36 @@ TEST_CASE("with K kept a texel is exact among them, then falls, and is exact aga
   });
 }
 
+TEST_CASE("at the mean depth of the fragments behind the K nearest half their optical depth is passed") {
+  std::size_t asked = 0;
+  holds("texels of overlapping fibres", [&] {
+    lit_fibres scene;
+    scene.opaque.parts.clear();
+    const std::uint32_t k = *rc::gen::element(1U, 2U, 4U);
+    const k_buffer_shadow map = scene.map(order_method::k_buffer, k);
+    for (int texel = 0; texel < (texels - 1) * (texels - 1); ++texel) {
+      const int x = texel % (texels - 1);
+      const int y = texel / (texels - 1);
+      const auto fragments = scene.fragments_of(x, y, map);
+      double octaves = 0.0;
+      double moment = 0.0;
+      for (std::size_t i = k; i < fragments.size(); ++i) {
+        const double one = -std::log2(std::max(fragments[i].second, 1e-6));
+        octaves += one;
+        moment += one * static_cast<double>(fragments[i].first);
+      }
+      if (!(octaves > 0.01 && octaves < 10.0)) continue;
+      const auto mean = static_cast<float>(moment / octaves);
+      if (mean - fragments[k - 1].first < 0.25F || fragments.back().first - mean < 0.25F) continue;
+      const double before = product(fragments, std::nextafter(fragments[k - 1].first, 1e30F));
+      const double half = before * std::exp2(-0.5 * octaves);
+      RC_ASSERT(std::abs(static_cast<double>(map.transmittance_to(scene.centre(x, y, mean), 0.0F)) - half) < 1e-3);
+      ++asked;
+    }
+  });
+  CHECK(asked > 100);
+}
+
 TEST_CASE("what passes never rises with depth, stays in [0, 1], and is 1 before the first fragment") {
   holds("any place, any K", [] {
     const lit_fibres scene;
