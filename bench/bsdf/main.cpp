@@ -136,7 +136,7 @@ void evaluate_kernel(benchmark::State& state) {
 void evaluate_once(benchmark::State& state) {
   const auto made = make_all<chiang_fibre<float>>(make_fibre);
   each(state, [&](std::size_t k) {
-    std::array<float, 3> value =
+    glm::vec3 value =
         evaluate_chiang(made[k], all().h[k], fibre_direction_of(all().eye[k]), fibre_direction_of(all().light[k]))
             .value;
     benchmark::DoNotOptimize(value);
