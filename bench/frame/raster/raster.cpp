@@ -4,8 +4,8 @@
 
 #include <pelage/coverage/segment_quad.hpp>
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,23 +46,27 @@ pixel_rect raster::bounds(std::uint32_t segment) const {
 depth_range raster::seen_depths(std::span<const float> limit) const {
   const auto width = static_cast<float>(view_.width);
   const auto height = static_cast<float>(view_.height);
-  const auto extended = [&](const tbb::blocked_range<std::size_t>& some, depth_range range) {
-    for (std::size_t i = some.begin(); i < some.end(); ++i) {
-      const glm::vec2 at = pixel_of(point_[i]);
-      const float depth = -point_[i].z;
-      if (!(at.x >= 0.0F && at.x < width && at.y >= 0.0F && at.y < height && depth >= view_.near_plane)) continue;
-      const auto pixel =
-          static_cast<std::size_t>(at.y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(at.x);
-      if (limit.empty() || !(depth >= limit[pixel])) range.extend(depth);
-    }
-    return range;
+  struct part {
+    depth_range range = depth_range::empty();
   };
-  const auto merged = [](depth_range a, const depth_range& b) {
-    a.merge(b);
-    return a;
-  };
-  return tbb::parallel_reduce(tbb::blocked_range<std::size_t>(0, point_.size()), depth_range::empty(), extended,
-                              merged);
+  tbb::enumerable_thread_specific<part> parts;
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, point_.size(), 4096), [&](const tbb::blocked_range<std::size_t>& some) {
+        depth_range& range = parts.local().range;
+        for (std::size_t i = some.begin(); i < some.end(); ++i) {
+          const glm::vec2 at = pixel_of(point_[i]);
+          const float depth = -point_[i].z;
+          if (!(at.x >= 0.0F && at.x < width && at.y >= 0.0F && at.y < height)) continue;
+          const auto pixel =
+              static_cast<std::size_t>(at.y) * static_cast<std::size_t>(view_.width) + static_cast<std::size_t>(at.x);
+          const bool hidden = !limit.empty() && depth >= limit[pixel];
+          if (depth >= view_.near_plane && !hidden) range.extend(depth);
+        }
+      });
+  depth_range all = depth_range::empty();
+  for (const part& one : parts)
+    all.merge(one.range);
+  return all;
 }
 
 outline<float> raster::wide_outline_of(std::uint32_t segment) const {
