@@ -224,11 +224,7 @@ TEST_CASE("far samples are distributed as the density says: χ² over 96 cells o
     test::sphere_cells observed, expected;
     test::number_stream draw;
     for (int k = 0; k < draws; ++k) {
-      const float a = draw();
-      const float b = draw();
-      const float c = draw();
-      const float d = draw();
-      observed.at(sample_chiang_far(fibre, eye, std::array<float, 4>{a, b, c, d}).direction) += 1.0;
+      observed.at(sample_chiang_far(fibre, eye, draw.four()).direction) += 1.0;
     }
     // The density is a sum of products: M over the rows, the rest over the columns.
     const int fine_rows = 800, fine_columns = 100;
@@ -285,11 +281,7 @@ TEST_CASE("a far sample carries what evaluation says, has density wherever it ha
     const auto clear = make_chiang_fibre<float>({1.55f, {0.0f, 0.0f, 0.0f}, beta, beta, -0.035f});
     for (int k = 0; k < 500; ++k) {
       const glm::vec3 eye = test::unit_vector<float>(3.1 * static_cast<double>(draw()) - 1.55, 1.0);
-      const float a = draw();
-      const float b = draw();
-      const float c = draw();
-      const float d = draw();
-      const auto weight = static_cast<double>(see(clear, eye, {a, b, c, d}));
+      const auto weight = static_cast<double>(see(clear, eye, draw.four()));
       least_mean = std::min(least_mean, weight);
       greatest_mean = std::max(greatest_mean, weight);
     }

@@ -50,11 +50,7 @@ TEST_CASE("samples are distributed as the density says: χ² over 96 cells of eq
     test::sphere_cells observed, expected;
     test::number_stream draw;
     for (int k = 0; k < draws; ++k) {
-      const float a = draw();
-      const float b = draw();
-      const float c = draw();
-      const float d = draw();
-      observed.at(sample_chiang(fibre, view, std::array<float, 4>{a, b, c, d}).direction) += 1.0;
+      observed.at(sample_chiang(fibre, view, draw.four()).direction) += 1.0;
     }
     // Points per cell and axis that the narrowest lobe needs.
     const double narrowest = std::min(std::sqrt(static_cast<double>(fibre.longitudinal[1].variance)),

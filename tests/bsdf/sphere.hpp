@@ -64,6 +64,13 @@ struct number_stream {
     x ^= x >> 16u;
     return static_cast<float>(x >> 8u) * 0x1p-24f;
   }
+  /// What a sampler takes.
+  std::array<float, 4> four() {
+    std::array<float, 4> u;
+    for (float& one : u)
+      one = (*this)();
+    return u;
+  }
 };
 
 /// The sphere in 96 cells of equal area.
