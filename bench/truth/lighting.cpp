@@ -16,11 +16,6 @@ constexpr double sky_share = 0.30;
 constexpr glm::dvec3 low_background{0.62, 0.63, 0.66};
 constexpr glm::dvec3 high_background{1.05, 1.08, 1.14};
 
-double smooth(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 }  // namespace
 
 lighting::arrival lighting::arriving(const frame::light& from, const glm::dvec3& at) const {
@@ -36,8 +31,7 @@ lighting::arrival lighting::arriving(const frame::light& from, const glm::dvec3&
   double strength = at_centre * at_centre / (distance * distance);
   if (from.kind == frame::light_kind::spot) {
     const double inside = -glm::dot(to_light, glm::dvec3(from.direction));
-    const double outer = static_cast<double>(from.cos_outer);
-    strength *= smooth((inside - outer) / (static_cast<double>(from.cos_inner) - outer));
+    strength *= glm::smoothstep(static_cast<double>(from.cos_outer), static_cast<double>(from.cos_inner), inside);
   }
   return {{at, to_light, distance}, to_light, strength * colour};
 }

@@ -37,11 +37,6 @@ glm::dvec3 soft_normal_of(const frame::solids& opaque, const glm::dvec3& p) {
   return glm::normalize(sum);
 }
 
-double step(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 std::optional<double> fall_on_floor(const frame::solids& opaque, const ray& r) {
   if (!opaque.floor || !(r.direction.y < 0.0)) return std::nullopt;
   const double height = static_cast<double>(*opaque.floor);
@@ -63,7 +58,7 @@ opaque_hit find_opaque(const frame::solids& opaque, const ray& r) {
   const auto floor = fall_on_floor(opaque, r);
   if (floor && *floor < hit.distance) {
     const double clear = static_cast<double>(opaque.clear);
-    const double haze = step((*floor * glm::length(r.direction) - clear) / clear);
+    const double haze = glm::smoothstep(clear, 2.0 * clear, *floor * glm::length(r.direction));
     const glm::dvec3 up(0.0, 1.0, 0.0);
     return {*floor, up, up, glm::dvec3(opaque.ground), haze, static_cast<int>(opaque.parts.size())};
   }
