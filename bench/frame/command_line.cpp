@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <map>
 #include <stdexcept>
 #include <vector>
+
+#include "frame/look_options.hpp"
+#include "frame/option_names.hpp"
 
 namespace pelage::frame {
 namespace {
@@ -25,31 +27,9 @@ const std::map<std::string, components> component_names{{"single", components::s
                                                         {"shadows", components::shadows},
                                                         {"translucency", components::translucency},
                                                         {"full", components::full}};
-const std::map<std::string, bsdf_model> model_names{{"kajiya_kay", bsdf_model::kajiya_kay},
-                                                    {"marschner", bsdf_model::marschner},
-                                                    {"chiang", bsdf_model::chiang},
-                                                    {"dual_scattering", bsdf_model::dual_scattering}};
-const std::map<std::string, hair_colour> colour_names{{"blond", hair_colour::blond},
-                                                      {"red", hair_colour::red},
-                                                      {"brown", hair_colour::brown},
-                                                      {"black", hair_colour::black}};
-
 const std::map<std::string, pixel_footprint> footprint_names{{"inscribed", pixel_footprint::inscribed},
                                                              {"equal_area", pixel_footprint::equal_area},
                                                              {"yu", pixel_footprint::yu}};
-
-template <class Value>
-std::vector<std::string> names(const std::map<std::string, Value>& all) {
-  std::vector<std::string> list;
-  for (const auto& [name, value] : all)
-    list.push_back(name);
-  return list;
-}
-
-template <class Value>
-std::string name_in(const std::map<std::string, Value>& all, Value wanted) {
-  return std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.second == wanted; })->first;
-}
 
 /// Reads all of "640x480" or "640".
 void read_size(const std::string& text, frame_settings& settings) {
@@ -66,66 +46,12 @@ void read_size(const std::string& text, frame_settings& settings) {
   settings.height = cross == std::string::npos ? settings.width : number(text.substr(cross + 1));
 }
 
-/// The options that say how fibres scatter light.
-struct look_options {
-  std::string model = name_of(bsdf_model::kajiya_kay);
-  std::string colour;                   ///< empty: none
-  std::vector<float> melanin;           ///< eumelanin and, if given, pheomelanin
-  std::vector<float> beta;              ///< along and, if given, round
-  std::vector<CLI::Option*> of_fibres;  ///< what Kajiya-Kay's model has no place for
-};
-
-void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
-  app.add_option("--bsdf", o.model, "how a fibre scatters light")
-      ->check(CLI::IsMember(names(model_names)))
-      ->capture_default_str();
-  CLI::Option* colour =
-      app.add_option("--hair-colour", o.colour, "pigment by name; without it and --melanin the model's own colour")
-          ->check(CLI::IsMember(names(colour_names)));
-  app.add_option("--melanin", o.melanin,
-                 "EUMELANIN[,PHEOMELANIN], [0, 100]: blond 0.1,0.03, red 0.05,0.8, brown 0.6,0.06, black 8")
-      ->delimiter(',')
-      ->expected(1, 2)
-      ->check(CLI::Range(0.0, 100.0))
-      ->excludes(colour);
-  o.of_fibres = {
-      app.add_option("--eta", look.eta, "index of refraction, [1, 3]")->check(CLI::Range(1.0, 3.0)),
-      app.add_option("--beta", o.beta, "ALONG[,ROUND]: roughness, [0.05, 1]; one number for both; marschner takes one")
-          ->delimiter(',')
-          ->expected(1, 2)
-          ->check(CLI::Range(0.05, 1.0))
-          ->default_str("0.2,0.3"),
-      app.add_option("--tilt", look.tilt, "of the cuticle's scales toward the tip, degrees, [-20, 20]")
-          ->check(CLI::Range(-20.0, 20.0))};
-  for (CLI::Option* option : o.of_fibres)
-    option->capture_default_str();
-}
-
 /// Refuses the options that have no meaning on what draws.
 void check_drawn_on(bool device, const CLI::Option* spacing, float pixels, const CLI::Option* frames) {
   if (device && spacing->count() > 0 && pixels != std::numeric_limits<float>::infinity()) {
     throw std::invalid_argument("--shading-spacing: --device vulkan shades the ends of segments alone, as inf does");
   }
   if (!device && frames->count() > 0) throw std::invalid_argument("--frames needs --device vulkan");
-}
-
-/// The look that the options ask for; throws std::invalid_argument where they do not go together.
-void read_look(const look_options& o, fibre_look& look) {
-  look.model = model_names.at(o.model);
-  for (const CLI::Option* option : o.of_fibres) {
-    if (look.model == bsdf_model::kajiya_kay && option->count() > 0) {
-      throw std::invalid_argument(option->get_name() + " needs --bsdf marschner, chiang or dual_scattering");
-    }
-  }
-  if (look.model == bsdf_model::marschner && o.beta.size() > 1) {
-    throw std::invalid_argument("--beta: marschner's fibre is smooth round its axis and takes one number");
-  }
-  if (!o.beta.empty()) {
-    look.beta_m = o.beta.front();
-    look.beta_n = o.beta.back();
-  }
-  if (!o.colour.empty()) look.pigment = melanin_of<float>(colour_names.at(o.colour));
-  if (!o.melanin.empty()) look.pigment = {o.melanin.front(), o.melanin.size() > 1 ? o.melanin.back() : 0.0F};
 }
 
 }  // namespace
@@ -246,10 +172,6 @@ std::string name_of(order_method method) {
 
 std::string name_of(components shown) {
   return name_in(component_names, shown);
-}
-
-std::string name_of(bsdf_model model) {
-  return name_in(model_names, model);
 }
 
 }  // namespace pelage::frame

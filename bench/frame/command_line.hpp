@@ -36,6 +36,5 @@ struct command_line {
 /// The word that chooses a method or the parts that are drawn.
 [[nodiscard]] std::string name_of(order_method method);
 [[nodiscard]] std::string name_of(components shown);
-[[nodiscard]] std::string name_of(bsdf_model model);
 
 }  // namespace pelage::frame

@@ -18,6 +18,7 @@
 #include "frame/base/output_file.hpp"
 #include "frame/command_line.hpp"
 #include "frame/frame.hpp"
+#include "frame/look_options.hpp"
 #include "frame/model/built_in.hpp"
 #include "frame/model/follow_strands.hpp"
 #include "frame/model/load_model.hpp"
