@@ -65,7 +65,7 @@
 #include <pelage/order/packed_fragment.hpp>
 #include <pelage/order/slice_pieces.hpp>
 #include <pelage/order/sorting_network.hpp>
-#include <pelage/order/two_pass_k_buffer.hpp>
+#include <pelage/order/split_k_buffer.hpp>
 #include <pelage/visibility/deep_shadow_map.hpp>
 #include <pelage/visibility/deep_shadow_vertex.hpp>
 #include <pelage/visibility/density_clusters.hpp>
@@ -171,12 +171,12 @@ template fragment atomic_k_buffer::insert<16u>(wide_cells&, std::uint32_t, fragm
 template fragment atomic_k_buffer::insert<13u>(wide_cells&, std::uint32_t, fragment) noexcept;
 template fragment atomic_k_buffer::at<16u>(const wide_cells&, std::uint32_t, std::uint32_t) noexcept;
 template fragment atomic_k_buffer::at<13u>(const wide_cells&, std::uint32_t, std::uint32_t) noexcept;
-template void two_pass_k_buffer::offer_depth<16u>(cells&, std::uint32_t, fragment) noexcept;
-template void two_pass_k_buffer::offer_depth<13u>(cells&, std::uint32_t, fragment) noexcept;
-template fragment two_pass_k_buffer::insert<16u>(cells&, std::uint32_t, fragment) noexcept;
-template fragment two_pass_k_buffer::insert<13u>(cells&, std::uint32_t, fragment) noexcept;
-template fragment two_pass_k_buffer::at<16u>(const cells&, std::uint32_t, std::uint32_t) noexcept;
-template fragment two_pass_k_buffer::at<13u>(const cells&, std::uint32_t, std::uint32_t) noexcept;
+template void split_k_buffer::offer_depth<16u>(cells&, std::uint32_t, fragment) noexcept;
+template void split_k_buffer::offer_depth<13u>(cells&, std::uint32_t, fragment) noexcept;
+template fragment split_k_buffer::insert<16u>(cells&, std::uint32_t, fragment) noexcept;
+template fragment split_k_buffer::insert<13u>(cells&, std::uint32_t, fragment) noexcept;
+template fragment split_k_buffer::at<16u>(const cells&, std::uint32_t, std::uint32_t) noexcept;
+template fragment split_k_buffer::at<13u>(const cells&, std::uint32_t, std::uint32_t) noexcept;
 
 // visibility
 template void atomic_depth_range::extend(cells&, std::uint32_t, float) noexcept;

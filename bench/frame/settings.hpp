@@ -20,7 +20,7 @@ namespace pelage::frame {
 
 /// What to draw and how. A model and its settings determine the picture, bit for bit: neither the number of threads,
 /// nor the drawing order, nor the choice among k_buffer, a_buffer, ordered_list, atomic_k_buffer and
-/// two_pass_k_buffer changes it.
+/// split_k_buffer changes it.
 struct frame_settings {
   int width = 640;  ///< pixels, [1, 16384]
   int height = 640;

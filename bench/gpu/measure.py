@@ -10,7 +10,7 @@ import tempfile
 
 HAIR = ["--strands", "50000", "--segments", "48"]
 HEADLINE = ["--strands", "114000", "--segments", "60"]
-METHODS = ["k_buffer", "a_buffer", "ordered_list", "atomic_k_buffer", "two_pass_k_buffer"]
+METHODS = ["k_buffer", "a_buffer", "ordered_list", "atomic_k_buffer", "split_k_buffer"]
 SIZES = [8, 16, 32, 64]
 FRAMES = 50
 

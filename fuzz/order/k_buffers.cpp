@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 //
-// k_buffer, atomic_k_buffer and two_pass_k_buffer against sorting, and so against each other: any depths, any order.
+// k_buffer, atomic_k_buffer and split_k_buffer against sorting, and so against each other: any depths, any order.
 #include <pelage/order/atomic_k_buffer.hpp>
 #include <pelage/order/k_buffer.hpp>
-#include <pelage/order/two_pass_k_buffer.hpp>
+#include <pelage/order/split_k_buffer.hpp>
 
 #include "../input.hpp"
 
@@ -61,18 +61,18 @@ held by_cascade(const std::vector<fragment>& all) {
 }
 
 template <std::uint32_t K>
-held by_two_passes(const std::vector<fragment>& all) {
+held by_split_slots(const std::vector<fragment>& all) {
   held h;
   std::vector<std::uint32_t> cells(2U * K, 0xffffffffU);
   atomic_cells<std::uint32_t> storage{cells};
   for (const fragment f : all) {
-    two_pass_k_buffer::offer_depth<K>(storage, 0u, f);
+    split_k_buffer::offer_depth<K>(storage, 0u, f);
   }
   for (const fragment f : all) {
-    h.lost(two_pass_k_buffer::insert<K>(storage, 0u, f));
+    h.lost(split_k_buffer::insert<K>(storage, 0u, f));
   }
   for (std::uint32_t i = 0; i < K; ++i) {
-    h.slot(two_pass_k_buffer::at<K>(storage, 0u, i));
+    h.slot(split_k_buffer::at<K>(storage, 0u, i));
   }
   return h;
 }
@@ -89,7 +89,7 @@ template <std::uint32_t K>
 void check_all(const std::vector<fragment>& all) {
   check(by_selection<K>(all), K, all);
   check(by_cascade<K>(all), K, all);
-  check(by_two_passes<K>(all), K, all);
+  check(by_split_slots<K>(all), K, all);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/order/atomic_k_buffer.hpp>
-#include <pelage/order/two_pass_k_buffer.hpp>
+#include <pelage/order/split_k_buffer.hpp>
 
 #include "concurrency/inserts.hpp"
 #include "concurrency/watched_barrier.hpp"
@@ -28,15 +28,15 @@ struct one_pass {
   static fragment at(const Storage& s, std::uint32_t i) { return atomic_k_buffer::at<K>(s, 0u, i); }
 };
 
-/// The same of a two_pass_k_buffer.
+/// The same of a split_k_buffer.
 template <std::uint32_t K, class Storage = watched_depths_and_ids>
-struct two_passes {
+struct split_slots {
   using storage = Storage;
   static constexpr std::uint32_t slots = K;
   static constexpr int passes = 2;
-  static void first_pass(Storage& s, fragment f) { two_pass_k_buffer::offer_depth<K>(s, 0u, f); }
-  static fragment insert(Storage& s, fragment f) { return two_pass_k_buffer::insert<K>(s, 0u, f); }
-  static fragment at(const Storage& s, std::uint32_t i) { return two_pass_k_buffer::at<K>(s, 0u, i); }
+  static void first_pass(Storage& s, fragment f) { split_k_buffer::offer_depth<K>(s, 0u, f); }
+  static fragment insert(Storage& s, fragment f) { return split_k_buffer::insert<K>(s, 0u, f); }
+  static fragment at(const Storage& s, std::uint32_t i) { return split_k_buffer::at<K>(s, 0u, i); }
 };
 
 /// Inserts into one pixel, a barrier between the passes, a reader behind another barrier, and all that the library

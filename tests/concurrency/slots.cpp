@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 //
-// atomic_k_buffer and two_pass_k_buffer under every schedule of small cases, and with faults planted.
+// atomic_k_buffer and split_k_buffer under every schedule of small cases, and with faults planted.
 #include "concurrency/slot_program.hpp"
 
 #include "concurrency/patterns.hpp"
@@ -138,11 +138,11 @@ TEST_CASE("atomic_k_buffer does so with a minimum by compare-exchange too, and s
   explore_patterns("atomic_k_buffer<1> 3x1, exchanged", 3, 1, slot_test<one_pass<1, watched_exchanged_slots>>());
 }
 
-TEST_CASE("two_pass_k_buffer holds the K nearest in order and hands the rest back, under every schedule") {
-  explore_patterns("two_pass_k_buffer<2> 2x2", 2, 2, slot_test<two_passes<2>>());
-  explore_patterns("two_pass_k_buffer<3> 2x2 and a reader", 2, 2, slot_test<two_passes<3>>(true));
-  explore_patterns("two_pass_k_buffer<2> 3x1", 3, 1, slot_test<two_passes<2>>());
-  explore_patterns("two_pass_k_buffer<2> 2x3", 2, 3, slot_test<two_passes<2>>(), 4);
+TEST_CASE("split_k_buffer holds the K nearest in order and hands the rest back, under every schedule") {
+  explore_patterns("split_k_buffer<2> 2x2", 2, 2, slot_test<split_slots<2>>());
+  explore_patterns("split_k_buffer<3> 2x2 and a reader", 2, 2, slot_test<split_slots<3>>(true));
+  explore_patterns("split_k_buffer<2> 3x1", 3, 1, slot_test<split_slots<2>>());
+  explore_patterns("split_k_buffer<2> 2x3", 2, 3, slot_test<split_slots<2>>(), 4);
 }
 
 template <class Storage>
@@ -151,9 +151,9 @@ void found(std::string_view name, std::string_view as) {
 }
 
 template <class Storage, class BetweenPasses = sound_barrier, class BeforeReading = sound_barrier>
-void found_in_two_passes(std::string_view name, std::string_view as, bool reads = false) {
-  expect_found("two_pass_k_buffer: " + std::string(name), as,
-               slot_test<two_passes<2, Storage>, BetweenPasses, BeforeReading>(reads)(small));
+void found_in_split_slots(std::string_view name, std::string_view as, bool reads = false) {
+  expect_found("split_k_buffer: " + std::string(name), as,
+               slot_test<split_slots<2, Storage>, BetweenPasses, BeforeReading>(reads)(small));
 }
 
 TEST_CASE("atomic_k_buffer: each fault is found") {
@@ -172,18 +172,18 @@ TEST_CASE("atomic_k_buffer: each fault is found") {
                reads(slot_test<one_pass<2>, sound_barrier, barrier_waiting_relaxed>(true)));
 }
 
-TEST_CASE("two_pass_k_buffer: each fault is found") {
-  found_in_two_passes<half_minimum_in_two_steps<false>>("(2) a minimum in two steps", "the slots are not");
-  found_in_two_passes<half_minimum_in_two_steps<true>>("(4) a minimum in two steps", "the slots are not");
-  found_in_two_passes<ids_by_arrival>("(4) ids go by arrival", "the slots are not");
-  found_in_two_passes<watched_depths_and_ids, missing_barrier>("(3) no barrier between the passes",
-                                                               "the slots are not");
-  found_in_two_passes<watched_depths_and_ids, barrier_arriving_relaxed>("(3) that barrier arrives relaxed",
+TEST_CASE("split_k_buffer: each fault is found") {
+  found_in_split_slots<half_minimum_in_two_steps<false>>("(2) a minimum in two steps", "the slots are not");
+  found_in_split_slots<half_minimum_in_two_steps<true>>("(4) a minimum in two steps", "the slots are not");
+  found_in_split_slots<ids_by_arrival>("(4) ids go by arrival", "the slots are not");
+  found_in_split_slots<watched_depths_and_ids, missing_barrier>("(3) no barrier between the passes",
+                                                                "the slots are not");
+  found_in_split_slots<watched_depths_and_ids, barrier_arriving_relaxed>("(3) that barrier arrives relaxed",
+                                                                         "the slots are not");
+  found_in_split_slots<watched_depths_and_ids, barrier_waiting_relaxed>("(3) that barrier waits relaxed",
                                                                         "the slots are not");
-  found_in_two_passes<watched_depths_and_ids, barrier_waiting_relaxed>("(3) that barrier waits relaxed",
-                                                                       "the slots are not");
-  found_in_two_passes<watched_depths_and_ids, sound_barrier, missing_barrier>("(5) no barrier before the reader",
-                                                                              "the slots are not", true);
+  found_in_split_slots<watched_depths_and_ids, sound_barrier, missing_barrier>("(5) no barrier before the reader",
+                                                                               "the slots are not", true);
 }
 
 TEST_CASE("correct variants of the slots are not reported") {
@@ -191,7 +191,7 @@ TEST_CASE("correct variants of the slots are not reported") {
   expect_sound("atomic_k_buffer, nothing passed over", slot_test<one_pass<2, passes_nothing_over>>()(small));
   expect_sound("atomic_k_buffer, exchanged, and a reader",
                slot_test<one_pass<2, watched_exchanged_slots>>(true)(small));
-  expect_sound("two_pass_k_buffer and a reader", slot_test<two_passes<2>>(true)(small));
+  expect_sound("split_k_buffer and a reader", slot_test<split_slots<2>>(true)(small));
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ struct watched_exchanged_slots : watched_slots {
   }
 };
 
-/// The cells of a two_pass_k_buffer's pixel.
+/// The cells of a split_k_buffer's pixel.
 class watched_depths_and_ids : public watched_cells<std::uint32_t> {
  public:
   explicit watched_depths_and_ids(std::uint32_t count) {

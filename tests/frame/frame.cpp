@@ -79,7 +79,7 @@ TEST_CASE("neither threads nor drawing order nor the choice of structure changes
       CHECK(longest(first) > 4 * settings.k);
       std::uint64_t seed = 0;
       for (const order_method method : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,
-                                        order_method::atomic_k_buffer, order_method::two_pass_k_buffer}) {
+                                        order_method::atomic_k_buffer, order_method::split_k_buffer}) {
         for (const int threads : {1, 2, 4}) {
           CAPTURE(static_cast<int>(method));
           CAPTURE(threads);
@@ -119,7 +119,7 @@ TEST_CASE("100 frames from structures that all threads build at once are one pic
   settings.k = 2;
   const image first = draw(few, settings, 1).picture;
   for (const order_method method :
-       {order_method::ordered_list, order_method::atomic_k_buffer, order_method::two_pass_k_buffer}) {
+       {order_method::ordered_list, order_method::atomic_k_buffer, order_method::split_k_buffer}) {
     settings.order = method;
     int other = 0;
     for (int repeat = 0; repeat < 100; ++repeat) {
@@ -143,7 +143,7 @@ TEST_CASE("the structures at a K that holds every fragment, and sorting by selec
     CHECK(longest(truth) > 4);
     for (const order_method method :
          {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list, order_method::atomic_k_buffer,
-          order_method::two_pass_k_buffer, order_method::selection_sort}) {
+          order_method::split_k_buffer, order_method::selection_sort}) {
       CAPTURE(static_cast<int>(method));
       settings.order = method;
       const frame_result frame = draw(thin, settings);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #include <pelage/order/atomic_k_buffer.hpp>
-#include <pelage/order/two_pass_k_buffer.hpp>
+#include <pelage/order/split_k_buffer.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -86,11 +86,11 @@ TEST_CASE("K-buffers of 32-bit slots that 65536 invocations build in two passes 
     std::vector<fragment> expected_lost;
     std::vector<fragment> expected_slots;
     for (std::uint32_t i = 0; i < fragments.size(); ++i)
-      two_pass_k_buffer::offer_depth<k>(storage, i % pixels, fragments[i]);
+      split_k_buffer::offer_depth<k>(storage, i % pixels, fragments[i]);
     for (std::uint32_t i = 0; i < fragments.size(); ++i)
-      expected_lost.push_back(two_pass_k_buffer::insert<k>(storage, i % pixels, fragments[i]));
+      expected_lost.push_back(split_k_buffer::insert<k>(storage, i % pixels, fragments[i]));
     for (std::uint32_t i = 0; i < k * pixels; ++i)
-      expected_slots.push_back(two_pass_k_buffer::at<k>(storage, i / k, i % k));
+      expected_slots.push_back(split_k_buffer::at<k>(storage, i / k, i % k));
 
     std::vector<std::uint32_t> offers = offers_of(0U, pixels, fragments);
     std::vector<std::uint32_t> lost(2 * fragments.size());
@@ -99,9 +99,9 @@ TEST_CASE("K-buffers of 32-bit slots that 65536 invocations build in two passes 
       std::vector<std::uint32_t>* const buffers[] = {&offers, &built, &result};
       the_device()->run(program, static_cast<std::uint32_t>(fragments.size()), buffers);
     };
-    pass(kernels::two_pass_depths, lost);
-    pass(kernels::two_pass_ids, lost);
-    pass(kernels::two_pass_read, slots);
+    pass(kernels::split_depths, lost);
+    pass(kernels::split_ids, lost);
+    pass(kernels::split_read, slots);
     slots.resize(2 * expected_slots.size());
     CHECK(built == cells);
     CHECK(packed(lost) == packed(expected_lost));

@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 //
-// atomic_k_buffer and two_pass_k_buffer with real threads; tests/concurrency/slots.cpp explores their schedules.
+// atomic_k_buffer and split_k_buffer with real threads; tests/concurrency/slots.cpp explores their schedules.
 #include <pelage/order/atomic_k_buffer.hpp>
 
-#include <pelage/order/two_pass_k_buffer.hpp>
+#include <pelage/order/split_k_buffer.hpp>
 
 #include "order/slots.hpp"
 #include "property.hpp"
@@ -29,19 +29,19 @@ outcome one_pass(const std::vector<fragment>& all, std::uint32_t threads) {
 }
 
 template <std::uint32_t K>
-outcome two_passes(const std::vector<fragment>& all, std::uint32_t threads) {
+outcome split(const std::vector<fragment>& all, std::uint32_t threads) {
   split_pixels<K> pixels;
   outcome seen;
   static_cast<void>(offer_all(pixels.storage, all, threads, [](auto& storage, fragment f) {
-    two_pass_k_buffer::offer_depth<K>(storage, 1u, f);
+    split_k_buffer::offer_depth<K>(storage, 1u, f);
     return no_fragment();
   }));
   seen.back = offer_all(pixels.storage, all, threads,
-                        [](auto& storage, fragment f) { return two_pass_k_buffer::insert<K>(storage, 1u, f); });
+                        [](auto& storage, fragment f) { return split_k_buffer::insert<K>(storage, 1u, f); });
   for (std::uint32_t i = 0u; i < K; ++i) {
-    seen.slots.push_back(two_pass_k_buffer::at<K>(pixels.storage, 1u, i));
-    const bool neighbours_empty = bits(two_pass_k_buffer::at<K>(pixels.storage, 0u, i)) == bits(no_fragment()) &&
-                                  bits(two_pass_k_buffer::at<K>(pixels.storage, 2u, i)) == bits(no_fragment());
+    seen.slots.push_back(split_k_buffer::at<K>(pixels.storage, 1u, i));
+    const bool neighbours_empty = bits(split_k_buffer::at<K>(pixels.storage, 0u, i)) == bits(no_fragment()) &&
+                                  bits(split_k_buffer::at<K>(pixels.storage, 2u, i)) == bits(no_fragment());
     CHECK(neighbours_empty);
   }
   return seen;
@@ -60,12 +60,12 @@ TEST_CASE("atomic_k_buffer holds the K nearest of any bits, whoever inserts them
   });
 }
 
-TEST_CASE("two_pass_k_buffer holds the K nearest of any bits, whoever inserts them") {
-  holds("two_pass_k_buffer, 1 to 4 threads", [] {
+TEST_CASE("split_k_buffer holds the K nearest of any bits, whoever inserts them") {
+  holds("split_k_buffer, 1 to 4 threads", [] {
     const std::vector<fragment> all = *any_fragments();
     for_each_k(telling_k{}, [&]<std::uint32_t K>() {
       for (std::uint32_t threads = 1u; threads <= 4u; ++threads) {
-        RC_ASSERT(is_k_nearest(two_passes<K>(all, threads), all));
+        RC_ASSERT(is_k_nearest(split<K>(all, threads), all));
       }
     });
   });
@@ -84,7 +84,7 @@ TEST_CASE("a hundred crowds from four threads end in the same slots") {
   const std::vector<fragment> all = crowd(2000u);
   for (int repeat = 0; repeat < 100; ++repeat) {
     REQUIRE(is_k_nearest(one_pass<16>(all, 4u), all));
-    REQUIRE(is_k_nearest(two_passes<16>(all, 4u), all));
+    REQUIRE(is_k_nearest(split<16>(all, 4u), all));
   }
 }
 

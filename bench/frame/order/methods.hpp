@@ -21,6 +21,6 @@ void run_full_sort(order_job& work);
 
 // slot_methods.cpp
 void run_atomic_k_buffer(order_job& work, std::uint32_t k);
-void run_two_pass_k_buffer(order_job& work, std::uint32_t k);
+void run_split_k_buffer(order_job& work, std::uint32_t k);
 
 }  // namespace pelage::frame

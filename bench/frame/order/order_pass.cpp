@@ -36,8 +36,8 @@ order_report run_order_pass(const raster& from, std::span<const float> limit, co
     case order_method::atomic_k_buffer:
       run_atomic_k_buffer(work, options.k);
       break;
-    case order_method::two_pass_k_buffer:
-      run_two_pass_k_buffer(work, options.k);
+    case order_method::split_k_buffer:
+      run_split_k_buffer(work, options.k);
       break;
     case order_method::selection_sort:
       run_selection_sort(work);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #include <pelage/order/atomic_k_buffer.hpp>
-#include <pelage/order/two_pass_k_buffer.hpp>
+#include <pelage/order/split_k_buffer.hpp>
 #include <tbb/enumerable_thread_specific.h>
 
 #include <stdexcept>
@@ -62,18 +62,18 @@ void run_atomic(order_job& work, list_memory& memory) {
 
 /// Both passes' ends are barriers, as parallel_for() returns when all is done.
 template <std::uint32_t K>
-void run_two_pass(order_job& work, list_memory& memory) {
+void run_split(order_job& work, list_memory& memory) {
   std::vector<std::uint32_t> cells(work.pixels() * 2U * K, 0xffffffffU);
   atomic_cells<std::uint32_t> nearest{cells};
   work.report.bytes += cells.size() * sizeof(std::uint32_t);
   stopwatch watch;
   work.for_each_fragment(
-      [&](int x, int y, fragment f) { two_pass_k_buffer::offer_depth<K>(nearest, memory.list(work, x, y), f); });
+      [&](int x, int y, fragment f) { split_k_buffer::offer_depth<K>(nearest, memory.list(work, x, y), f); });
   insert_all(work, memory,
-             [&](std::uint32_t pixel, fragment f) { return two_pass_k_buffer::insert<K>(nearest, pixel, f); });
+             [&](std::uint32_t pixel, fragment f) { return split_k_buffer::insert<K>(nearest, pixel, f); });
   work.report.build_seconds = watch.lap();
   resolve_slots(work, memory, K,
-                [&](std::uint32_t pixel, std::uint32_t i) { return two_pass_k_buffer::at<K>(nearest, pixel, i); });
+                [&](std::uint32_t pixel, std::uint32_t i) { return split_k_buffer::at<K>(nearest, pixel, i); });
 }
 
 }  // namespace
@@ -85,11 +85,11 @@ void run_atomic_k_buffer(order_job& work, std::uint32_t k) {
   with_compiled_k(k, [&](auto constant) { run_atomic<decltype(constant)::value>(work, memory); });
 }
 
-void run_two_pass_k_buffer(order_job& work, std::uint32_t k) {
+void run_split_k_buffer(order_job& work, std::uint32_t k) {
   check_slots(work, 2U * k);
   list_memory memory(work, 1);
   work.report.behind = memory.beyond(k);
-  with_compiled_k(k, [&](auto constant) { run_two_pass<decltype(constant)::value>(work, memory); });
+  with_compiled_k(k, [&](auto constant) { run_split<decltype(constant)::value>(work, memory); });
 }
 
 }  // namespace pelage::frame

@@ -51,7 +51,7 @@ plan plan_by_order(const frame_settings& s, bool camera) {
       p.lists = 1;
       p.slots = s.k;
       return p;
-    case order_method::two_pass_k_buffer:
+    case order_method::split_k_buffer:
       p.clear = {links, {"slots", slot_buffer, 0xffffffffU}};
       p.build = {{"offer_depths_" + k, over::segments}, {"insert_ids_" + k, over::segments}};
       p.finish = {{"resolve_split_" + sink + "_" + k, over::pixels}};

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// The two-pass K-buffer's first pass: each fragment's depth down its pixel's cascade of 32-bit minima. In: points,
+// The first pass of the split K-buffer: each fragment's depth down its pixel's cascade of 32-bit minima. In: points,
 // limits. Out: slots. One invocation a segment; bounded by up to K atomic minima a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -10,7 +10,7 @@
 #include "slots.glsl"
 
 void visit(uint i, uint pixel, segment_in_pixel where) {
-  pelage_two_pass_k_buffer_offer_depth(pixel, fragment_of(i, where));
+  pelage_split_k_buffer_offer_depth(pixel, fragment_of(i, where));
 }
 
 void main() {

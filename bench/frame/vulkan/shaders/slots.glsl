@@ -8,11 +8,11 @@
 #ifdef SPLIT
 layout(std430, binding = 19) LIVE buffer slot_buffer { uint slots[]; };
 #define PELAGE_ATOMIC_CELLS_WORDS(i) slots[i]
-#define PELAGE_TWO_PASS_K_BUFFER_K K
-#include "pelage/glsl/order/two_pass_k_buffer.glsl"
+#define PELAGE_SPLIT_K_BUFFER_K K
+#include "pelage/glsl/order/split_k_buffer.glsl"
 
 pelage_fragment slot_at(uint pixel, uint i) {
-  return pelage_two_pass_k_buffer_at(pixel, i);
+  return pelage_split_k_buffer_at(pixel, i);
 }
 #else
 layout(std430, binding = 19) LIVE buffer slot_buffer { uint64_t slots[]; };

@@ -9,9 +9,9 @@
 #include <atomic>
 #include <cstdint>
 
-/// atomic_k_buffer for hardware without 64-bit atomics: the depths in a first pass, the ids in a second one. The
-/// two-pass K-buffer of [Yu12 §5.1] is another one: an a_buffer in the first pass, a k_buffer that reads it in the
-/// second.
+/// atomic_k_buffer for hardware without 64-bit atomics: its words split in two of 32 bits, the depths in a first pass
+/// and the ids in a second one. Not the two-pass algorithm of [Yu12 §5.1], which is an a_buffer and then a k_buffer
+/// that reads it.
 ///
 /// Keeps the same K fragments in the same order, ties by id included; hands back what falls out in the second pass.
 /// Each fragment is offered once in each pass. Between the passes, and between the second one and the first read, the
@@ -22,7 +22,7 @@
 /// their multiplicity. Then the slots of one depth are a run, and the second pass is the same cascade of ids along
 /// that run: it leaves the run's smallest ids in order. Only a run that ends at slot K - 1 may have more fragments
 /// than slots; its larger ids fall out.
-namespace pelage::inline PELAGE_ABI::two_pass_k_buffer {
+namespace pelage::inline PELAGE_ABI::split_k_buffer {
 
 /// First pass: offers a fragment's depth. What is_fragment() refuses is left out. `pixel`: [0, size() / (2 K)).
 /// Wait-free where the minimum of the hardware is, else lock-free. O(K).
@@ -30,7 +30,7 @@ namespace pelage::inline PELAGE_ABI::two_pass_k_buffer {
 /// (1) and (2) relaxed, as (1) and (3) of atomic_k_buffer.
 template <std::uint32_t K, falling_cells<std::uint32_t> Storage>
 void offer_depth(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
-  static_assert(K >= 1u && K <= 64u, "pelage::two_pass_k_buffer: K must be in [1, 64]");
+  static_assert(K >= 1u && K <= 64u, "pelage::split_k_buffer: K must be in [1, 64]");
   PELAGE_ASSERT(pixel < storage.size() / (2u * K));
   const std::uint32_t first = pixel * 2u * K;
   std::uint32_t carried = is_fragment(offered) ? depth_key(offered.depth) : 0xffffffffu;
@@ -77,4 +77,4 @@ template <std::uint32_t K, falling_cells<std::uint32_t> Storage>
                                 : fragment{depth_from_key(storage.load(slot, std::memory_order_relaxed)), id};
 }
 
-}  // namespace pelage::two_pass_k_buffer
+}  // namespace pelage::split_k_buffer
