@@ -107,6 +107,15 @@ TEST_CASE("the difference of two caps would lose the digits of a thin strip") {
   CHECK(relative_error(share_by_caps(0.7f, 0.5f, 1.0f), exact_share(0.7f, 0.5f, 1.0f)) < 1e-6);
 }
 
+TEST_CASE("Yu §4.2: the disc less the caps above and below the fibre, worked out by hand") {
+  const double sixth = std::sqrt(3.0) / 3.141592653589793;  // a cap above half the radius is π/3 - √3/4
+  CHECK(std::abs(disc_strip_share(0.0, 0.5, 1.0) - (1.0 / 3.0 + sixth / 2.0)) < 5e-7);  // both caps are cut off
+  CHECK(std::abs(disc_strip_share(1.0, 0.5, 1.0) - (1.0 / 3.0 - sixth / 4.0)) < 5e-7);  // U reaches beyond the disc
+  CHECK(std::abs(disc_strip_share(0.5, 0.5, 1.0) - 0.5) < 5e-7);                        // B is the centre, U the rim
+  CHECK(std::abs(disc_strip_share(-3.0, 2.5, 1.0) - (1.0 / 3.0 - sixth / 4.0)) < 5e-7);
+  CHECK(disc_strip_share(1.6, 0.5, 1.0) == 0.0);  // B > R
+}
+
 TEST_CASE("a share is in [0, 1], and the offset's sign does not matter") {
   int wrong = 0;
   for_each_strip<float>(20'000, [&](float offset, float fibre, float disc) {
