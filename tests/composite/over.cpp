@@ -5,6 +5,7 @@
 #include "composite/layers.hpp"
 #include "property.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -75,6 +76,47 @@ TEST_CASE("layers one over the other are the sum of each by what passes those be
       sum += passed * glm::dvec4(layers[i]);
     }
     RC_ASSERT(distance(seen, glm::vec4(sum)) < 1e-6f);
+  });
+}
+
+void check_near(const glm::vec4& found, const glm::vec4& expected) {
+  CAPTURE(found.x);
+  CAPTURE(found.y);
+  CAPTURE(found.z);
+  CAPTURE(found.w);
+  CHECK(distance(found, expected) < 3e-7f);
+}
+
+TEST_CASE("Svoboda §2.5.2: light thrice as bright as white survives in a premultiplied colour") {
+  const glm::vec3 lit = 3.0f * glm::vec3(0.8f, 0.7f, 0.4f);
+  const glm::vec4 kept = premultiply(lit, 0.3f);
+  check_near(kept, {0.72f, 0.63f, 0.36f, 0.3f});
+  check_near(premultiply(glm::min(lit, glm::vec3(1.0f)), 0.3f),
+             {0.3f, 0.3f, 0.3f, 0.3f});                                                    // what clamping first leaves
+  check_near(over(kept, glm::vec4(0.5f, 0.5f, 0.5f, 1.0f)), {1.07f, 0.98f, 0.71f, 1.0f});  // C + B (1 - A)
+}
+
+TEST_CASE("Svoboda §2.5.3: of two lights the alpha counts once, (C1 + C2) A + B (1 - A)") {
+  const glm::vec3 key(0.5f, 0.25f, 0.0f);
+  const glm::vec3 rim(0.25f, 0.25f, 0.5f);
+  check_near(over(premultiply(key + rim, 0.4f), glm::vec4(1.0f)), {0.9f, 0.8f, 0.8f, 1.0f});
+}
+
+TEST_CASE("Svoboda §1.3.3: two fibres in the wrong order are off by (C1 - C2) A²") {
+  const glm::vec4 near = premultiply(glm::vec3(1.0f, 0.8f, 0.6f), 0.5f);
+  const glm::vec4 far = premultiply(glm::vec3(0.8f, 0.6f, 0.4f), 0.5f);
+  const glm::vec4 background(0.2f, 0.2f, 0.8f, 1.0f);
+  check_near(over(near, over(far, background)), {0.75f, 0.6f, 0.6f, 1.0f});
+  check_near(over(far, over(near, background)), {0.7f, 0.55f, 0.55f, 1.0f});
+  check_near(over(near, background), {0.6f, 0.5f, 0.7f, 1.0f});  // with depth writes the far one is lost
+  holds("any colours", [] {
+    const glm::vec3 c1 = draw_colour();
+    const glm::vec3 c2 = draw_colour();
+    const float alpha = draw_share();
+    const glm::vec4 a = premultiply(c1, alpha);
+    const glm::vec4 b = premultiply(c2, alpha);
+    const glm::vec4 expected((c1 - c2) * alpha * alpha, 0.0f);
+    RC_ASSERT(distance(over(a, b) - over(b, a), expected) < 5e-7f);
   });
 }
 

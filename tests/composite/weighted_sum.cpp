@@ -76,6 +76,25 @@ TEST_CASE("order-weighted blending is sorted blending where all alphas are equal
   });
 }
 
+TEST_CASE("Sintorn & Assarsson §3.4: three fragments of alpha one half, worked out by hand") {
+  const std::vector<layer> layers{{0.5f, {1, 0, 0}}, {0.5f, {0, 1, 0}}, {0.5f, {0, 0, 1}}};
+  const glm::vec3 background(0.8f);  // (1 - α)³ of it is 0.1
+  CHECK(distance(resolve(order_weighted_sum(layers), background), {0.6, 0.35, 0.225}) < 1e-6);
+}
+
+TEST_CASE("where orders are wrong, Λ over the sum of the weights restores what the fibres cover, not its inverse") {
+  tail sum = empty_tail();
+  const float order[] = {0.0f, 1.0f, 3.0f};  // the last should be 2: weights ½ + ¼ + 1/16 = 13/16, Λ = 7/8
+  for (int i = 0; i < 3; ++i) {
+    glm::vec3 colour(0.0f);
+    colour[i] = 1.0f;
+    sum = add_weighted(sum, 0.5f, order_weight(0.5f, order[i]), colour);
+  }
+  const glm::vec3 seen = resolve(sum, glm::vec3(0.0f));
+  CHECK(distance(seen, glm::dvec3(8.0, 4.0, 1.0) / 16.0 * (14.0 / 13.0)) < 1e-6);
+  CHECK(std::abs(seen.x + seen.y + seen.z - 0.875) < 1e-6);
+}
+
 TEST_CASE("a weight by optical depth is right where alphas differ too") {
   holds("any layers", [] {
     const std::vector<layer> layers = draw_layers(0.9f);
@@ -209,6 +228,15 @@ TEST_CASE("weighted average is sorted blending where all fragments are the same"
     }
     RC_ASSERT(distance(average.resolve(background), sorted_over(layers, background)) < 1e-3);
   });
+}
+
+TEST_CASE("Sintorn & Assarsson §2.2: mean alpha and alpha-weighted mean colour, worked out by hand") {
+  weighted_average average = weighted_average::empty();
+  average.add(0.5f, glm::vec3(1, 0, 0));
+  average.add(0.25f, glm::vec3(0, 0, 1));
+  // Mean alpha 3/8, mean colour (2/3, 0, 1/3), and (5/8)² = 25/64 passes.
+  CHECK(distance(average.resolve(glm::vec3(0.0f)), {0.40625, 0.0, 0.203125}) < 2e-6);
+  CHECK(distance(average.resolve(glm::vec3(0.64f)), {0.65625, 0.25, 0.453125}) < 2e-6);
 }
 
 /// Up to 2¹⁶ alphas, from 2⁻²⁴ on, alike or not; where they are alike, rounding to units of 2⁻²⁰ adds up.
