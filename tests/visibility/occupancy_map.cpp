@@ -80,6 +80,43 @@ TEST_CASE("the paper's order goes across a slice from what lies before the one i
   });
 }
 
+TEST_CASE("Sintorn & Assarsson §3.2: an order worked out by hand") {
+  occupancy_map<> map = occupancy_map<>::empty();
+  for (const float slice : {1.0f, 1.0f, 5.0f, 32.0f, 40.0f, 40.0f, 40.0f, 50.0f, 63.0f})
+    map.add(slice, 1u);
+  // Three in the first slab; six in four slices of the second, so that each counts for one and a half.
+  CHECK(map.amount_before(5.0f) == 1.5f);
+  CHECK(map.amount_before(40.0f) == 4.5f);
+  CHECK(map.amount_before(50.0f) == 6.0f);
+  CHECK(map.amount_before(63.0f) == 7.5f);
+  CHECK(map.interpolated_before_fragment(41.5f) == 5.25f);  // from 4.5 before slice 40 to 6 before slice 41
+  CHECK(map.interpolated_before_fragment(33.25f) == 3.375f);
+}
+
+TEST_CASE("at a slice's begin the order is the earlier slabs', and the slab's by its share of set slices before") {
+  holds("the paper's formula in double", [] {
+    using described = occupancy<128u, 4u>;
+    const std::vector<entry> entries = draw_entries<described>(1000u);
+    const auto map = map_of<described>(entries);
+    const auto slice = *rc::gen::inRange<std::uint32_t>(0u, 128u);
+    std::array<bool, 128> set{};
+    double order = 0.0;
+    double of_slab = 0.0;
+    for (const entry& each : entries) {
+      const std::uint32_t at = std::min(static_cast<std::uint32_t>(each.position), 127u);
+      set[at] = true;
+      if (at / 32u < slice / 32u) order += each.amount;
+      if (at / 32u == slice / 32u) of_slab += each.amount;
+    }
+    const auto first = set.begin() + slice / 32u * 32u;
+    const auto bits = std::count(first, first + 32, true);
+    if (bits > 0) {
+      order += of_slab / static_cast<double>(bits) * static_cast<double>(std::count(first, set.begin() + slice, true));
+    }
+    RC_ASSERT(std::abs(map.amount_before(static_cast<float>(slice)) - order) <= 1e-6 * order);
+  });
+}
+
 TEST_CASE("seeded: cells that change in two steps lose fragments, and the laws see it") {
   CHECK(lost_by_torn_cells<occupancy<32u, 1u>>() > 0.0);
 }

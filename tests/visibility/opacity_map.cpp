@@ -6,8 +6,10 @@
 
 #include "visibility/map_laws.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -104,6 +106,76 @@ TEST_CASE("at the end of a layer the sum is exact up to 2^24, and rounded twice 
       sum += map.amount[i];
     }
     RC_ASSERT(map.amount_before(33.0f) <= sum * (1.0 + 66.0 * 0x1p-24));
+  });
+}
+
+/// Where layers end, in units of the first one's width; equal or growing.
+template <std::size_t Layers>
+std::array<double, Layers> layer_ends(bool growing) {
+  std::array<double, Layers> ends;
+  for (std::size_t i = 0; i < Layers; ++i)
+    ends[i] = growing ? 0.5 * static_cast<double>((i + 1) * (i + 2)) : static_cast<double>(i + 1);
+  return ends;
+}
+
+/// Fragments on a grid that layers' ends lie on, and beyond the last.
+struct deep_fragment {
+  float offset;
+  std::uint32_t amount;
+};
+
+std::vector<deep_fragment> draw_deep_fragments(double last_end) {
+  std::vector<deep_fragment> all(*rc::gen::inRange<std::size_t>(0u, 41u));
+  for (deep_fragment& each : all) {
+    each.offset = static_cast<float>(*rc::gen::inRange(0, static_cast<int>(8.0 * last_end) + 20)) / 8.0f;
+    each.amount = *rc::gen::inRange(1u, 1000u);
+  }
+  return all;
+}
+
+template <std::uint32_t Layers>
+opacity_map<Layers> deep_map(const std::vector<deep_fragment>& all, bool growing) {
+  opacity_map<Layers> map = opacity_map<Layers>::empty();
+  for (const deep_fragment& each : all) {
+    map.add(
+        growing ? growing_layer_position(each.offset, 1.0f, Layers) : equal_layer_position(each.offset, 1.0f, Layers),
+        each.amount);
+  }
+  map.accumulate();
+  return map;
+}
+
+TEST_CASE("Svoboda §1.5.4, §2.7.2: a deep layer has all fragments before its end, the last what lies beyond as well") {
+  holds("equal and growing layers", [] {
+    const bool growing = *rc::gen::arbitrary<bool>();
+    const auto ends = layer_ends<8>(growing);
+    const std::vector<deep_fragment> all = draw_deep_fragments(ends.back());
+    const auto map = deep_map<8u>(all, growing);
+    for (std::size_t i = 0; i < 8u; ++i) {
+      std::uint32_t sum = 0u;
+      for (const deep_fragment& each : all)
+        sum += each.offset < ends[i] || i == 7u ? each.amount : 0u;
+      RC_ASSERT(map.amount[i] == sum);
+    }
+  });
+}
+
+TEST_CASE("Svoboda §2.7.3: between layers the look-up is the branch-free sum over all of them") {
+  holds("Σ w O in double", [] {
+    const bool growing = *rc::gen::arbitrary<bool>();
+    const auto ends = layer_ends<8>(growing);
+    const auto map = deep_map<8u>(draw_deep_fragments(ends.back()), growing);
+    const double z = *rc::gen::inRange(0, 1025) / 1024.0 * ends.back();
+    double opacity = 0.0;
+    for (std::size_t i = 0; i < 8u; ++i) {
+      const double before = ends[i] - (i > 0u ? ends[i - 1u] : 0.0);
+      const double behind = i < 7u ? ends[i + 1u] - ends[i] : 1.0;
+      const double weight = 1.0 - std::max(0.0, (ends[i] - z) / before) - std::max(0.0, (z - ends[i]) / behind);
+      opacity += std::max(0.0, weight) * map.amount[i];
+    }
+    const float offset = static_cast<float>(z);
+    const float position = growing ? growing_layer_position(offset, 1.0f, 8u) : equal_layer_position(offset, 1.0f, 8u);
+    RC_ASSERT(std::abs(map.accumulated_before(position) - opacity) <= 2e-5 * map.amount[7]);
   });
 }
 
