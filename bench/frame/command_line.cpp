@@ -114,6 +114,10 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
                      "shades the ends alone, as inf does")
           ->check(CLI::Range(0.0F, std::numeric_limits<float>::infinity()))
           ->capture_default_str();
+  std::string fibre_colours = "model";
+  app.add_option("--fibre-colours", fibre_colours, "model, or random: a colour a strand, so that a wrong order shows")
+      ->check(CLI::IsMember({"model", "random"}))
+      ->capture_default_str();
   app.add_option("--aa", antialias, "anti-aliasing, on or off")->check(CLI::IsMember({"on", "off"}));
   app.add_option("--alpha", s.opacity, "opacity of all fibres, [0, 1]; else the model's")->check(CLI::Range(0.0, 1.0));
   app.add_option("--footprint", footprint, "the disc that stands for an anti-aliased pixel of the camera")
@@ -154,6 +158,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   s.footprint = footprint_names.at(footprint);
   read_look(look, s.look);
   s.on_bust = c.hair.empty();
+  c.random_colours = fibre_colours == "random";
   c.on_device = device == "vulkan";
   if (tail->count() > 0 && s.blend.method != blend_method::k_buffer) {
     throw std::invalid_argument("--tail needs --blend k_buffer");

@@ -24,6 +24,7 @@ struct command_line {
   std::string shadow = "k_buffer";  ///< as parse_shadow() reads it
   std::string blend = "k_buffer";   ///< as parse_blend() reads it
   std::string tail = "mean";        ///< as parse_tail() reads it
+  bool random_colours = false;      ///< a colour a strand, by its number, in place of the model's
   std::string out = "out/frame.png";
   std::string report;   ///< a JSON file; empty: none
   std::string compare;  ///< a PNG; empty: none

@@ -22,6 +22,7 @@
 #include "frame/model/built_in.hpp"
 #include "frame/model/follow_strands.hpp"
 #include "frame/model/load_model.hpp"
+#include "frame/model/random_colours.hpp"
 #include "frame/vulkan/device_frame.hpp"
 
 namespace {
@@ -144,7 +145,8 @@ void run(const command_line& c) {
   if (!c.report.empty()) results.add(c.report);
 
   tbb::task_arena arena(static_cast<int>(threads));  // may be more than there are cores
-  const hair_model model = arena.execute([&] { return load(c); });
+  hair_model model = arena.execute([&] { return load(c); });
+  if (c.random_colours) set_random_colours(model);
   nlohmann::json report = report_of(c, model);
   image picture;
   std::string said =

@@ -7,24 +7,17 @@
 #include <pelage/composite/sliced_tail.hpp>
 #include <pelage/composite/stochastic.hpp>
 #include <pelage/composite/weighted_sum.hpp>
-#include <pelage/core/mixed_bits.hpp>
 #include <pelage/visibility/occupancy_map.hpp>
 
 #include <string>
 
 #include "frame/blends/unordered.hpp"
+#include "frame/model/random_colours.hpp"
 #include "quality/difference.hpp"
 #include "quality/visibility_methods.hpp"
 
 namespace pelage::frame {
 namespace {
-
-glm::vec3 random_colour(std::uint32_t strand) {
-  const auto channel = [strand](std::uint32_t c) {
-    return static_cast<float>(mixed_bits(3U * strand + c) >> 8U) / 16777216.0F;
-  };
-  return {channel(0), channel(1), channel(2)};
-}
 
 /// A pixel whose fragments are to be blended: sorted, which the methods without order make no use of.
 struct pixel {
