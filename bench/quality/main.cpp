@@ -29,6 +29,7 @@ struct options {
   std::string out = "quality.json";
   std::uint32_t strands = 10000;
   int size = 512;
+  std::string only;  ///< "visibility", "blending" or empty: both
 };
 
 /// Measures with the lists of one view.
@@ -45,17 +46,20 @@ nlohmann::json measure_view(const stage& set, const view& seen, bool antialias, 
   return by_alpha;
 }
 
-nlohmann::json measure_model(const hair_model& model, const std::string& name, bool on_bust, int size) {
+nlohmann::json measure_model(const hair_model& model, const std::string& name, bool on_bust, const options& o) {
   if (model.segment_count() == 0) throw std::runtime_error(printable(name) + ": there are no fibres");
   frame_settings settings;
-  settings.width = settings.height = settings.map_size = size;
+  settings.width = settings.height = settings.map_size = o.size;
   settings.on_bust = on_bust;
   const stage set = set_up(model, settings);
-  nlohmann::json result{{"model", name}, {"strands", model.strand_count()}, {"size", size}};
+  nlohmann::json result{{"model", name}, {"strands", model.strand_count()}, {"size", o.size}};
   // Fibres as thin as they are, and as the papers draw them: lines of a pixel's width, whose alpha is never shared.
   for (const bool antialias : {true, false}) {
     nlohmann::json& part = result[antialias ? "thin" : "lines"];
-    part["visibility"] = measure_view(set, set.light_views.front(), antialias, measure_visibility);
+    if (o.only != "blending") {
+      part["visibility"] = measure_view(set, set.light_views.front(), antialias, measure_visibility);
+    }
+    if (o.only == "visibility") continue;
     part["blending"] = measure_view(set, set.eye, antialias, [&](const lists& all, float alpha) {
       return measure_blending(all, set.fibres, alpha);
     });
@@ -67,9 +71,9 @@ void run(const options& o) {
   output_files results;
   results.add(o.out);
   nlohmann::json models;
-  models.push_back(measure_model(make_built_in(o.strands, 48, 1), "built-in", true, o.size));
+  models.push_back(measure_model(make_built_in(o.strands, 48, 1), "built-in", true, o));
   for (const std::string& file : o.files)
-    models.push_back(measure_model(load_model(file), std::filesystem::path(file).stem().string(), false, o.size));
+    models.push_back(measure_model(load_model(file), std::filesystem::path(file).stem().string(), false, o));
   const std::string text = nlohmann::json{{"models", models}}.dump(1) + "\n";
   results.write(o.out, std::as_bytes(std::span(text)));
   results.commit();
@@ -84,6 +88,8 @@ int main(int argc, char** argv) {
   app.add_option("files", o.files, ".hair or .tfx files to measure after the built-in model");
   app.add_option("--strands", o.strands, "of the built-in model")->capture_default_str();
   app.add_option("--size", o.size, "pixels a side, [2, 4096]")->capture_default_str()->check(CLI::Range(2, 4096));
+  app.add_option("--only", o.only, "visibility or blending; without it both")
+      ->check(CLI::IsMember({"visibility", "blending"}));
   app.add_option("--out", o.out, "the JSON file")->capture_default_str();
   try {
     app.parse(argc, argv);

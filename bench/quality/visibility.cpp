@@ -58,6 +58,18 @@ class light_texels {
   [[nodiscard]] texel longest() const { return at(longest_); }
   [[nodiscard]] float extent() const { return extent_; }
 
+  /// Of those that hold half as many fragments as the longest or more, the one whose first is farthest before the
+  /// others: a stray strand before the mass.
+  [[nodiscard]] texel stray() const {
+    const auto gap = [&](std::size_t p) {
+      const std::span<const sample> list = light_.of(p);
+      const bool dense = list.size() > 1 && 2 * list.size() >= light_.of(longest_).size();
+      return dense ? list[1].depth - list[0].depth : 0.0F;
+    };
+    return at(*std::max_element(filled_.begin(), filled_.end(),
+                                [&](std::size_t a, std::size_t b) { return gap(a) < gap(b); }));
+  }
+
   [[nodiscard]] texel at(std::size_t pixel) const {
     texel t{light_.of(pixel), {}, depth_range::empty(), whole_, extent_};
     for (const sample& s : t.list)
@@ -142,7 +154,7 @@ nlohmann::json along_ray(const texel& t) {
   const float step = 1.02F * (t.list.back().depth - first) / 399.0F;
   for (std::size_t i = 0; i < depths.size(); ++i)
     depths[i] = first + step * static_cast<float>(i);
-  nlohmann::json ray{{"depth", depths}, {"truth", truth_at(t, depths)}};
+  nlohmann::json ray{{"fragments", t.list.size()}, {"depth", depths}, {"truth", truth_at(t, depths)}};
   std::vector<float> passed(depths.size());
   std::uint64_t unused = 0;
   for (const visibility_method& each : visibility_methods()) {
@@ -171,6 +183,7 @@ nlohmann::json measure_visibility(const lists& light, float alpha) {
                                  {"nanoseconds", median(accounts[m].nanoseconds)}});
   }
   result["ray"] = along_ray(texels.longest());
+  result["stray_ray"] = along_ray(texels.stray());
   return result;
 }
 

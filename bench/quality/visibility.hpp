@@ -8,8 +8,8 @@
 namespace pelage::frame {
 
 /// How far every visibility method is from the truth at every fragment of a light's view, what it keeps a texel and
-/// how long it takes, and what each says along the ray that has most fragments. `alpha`: of all fibres. Null without
-/// fragments.
+/// how long it takes, and what each says along two rays: that of most fragments, and one that meets a stray strand
+/// before the mass. `alpha`: of all fibres. Null without fragments.
 [[nodiscard]] nlohmann::json measure_visibility(const lists& light, float alpha);
 
 }  // namespace pelage::frame
