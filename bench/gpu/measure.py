@@ -8,6 +8,8 @@ import subprocess
 import sys
 import tempfile
 
+import steps
+
 HAIR = ["--strands", "50000", "--segments", "48"]
 HEADLINE = ["--strands", "114000", "--segments", "60"]
 METHODS = ["k_buffer", "a_buffer", "ordered_list", "atomic_k_buffer", "split_k_buffer"]
@@ -112,6 +114,7 @@ def main():
         "methods": methods_table(program),
         "peeling": peeling_table(program, folder),
         "headline": headline(program, folder / "gpu.png"),
+        "steps": steps.tables(draw, program),
     }
     (folder / "gpu.json").write_text(json.dumps(reports, indent=2) + "\n")
 
