@@ -236,6 +236,7 @@ template stochastic_depths<13u> atomic_stochastic_depths::load(const cells&, std
 template kajiya_kay_lobes<float> kajiya_kay(const vec3&, const vec3&, const vec3&, float) noexcept;
 template float fresnel_dielectric(float, float) noexcept;
 template float fibre_attenuation(float, float) noexcept;
+template float fibre_opacity(float, float) noexcept;
 template interface_shares<float> dielectric_interface(float, float) noexcept;
 template interface_shares<float> bravais_interface(float, float, float, float) noexcept;
 template bessel_i0_parts<float> bessel_i0(float) noexcept;

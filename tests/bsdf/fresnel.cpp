@@ -111,11 +111,40 @@ TEST_CASE("a fibre passes what neither of its two surfaces reflects") {
   CHECK_MESSAGE(worst.error < 1e-6, worst);
 }
 
+TEST_CASE("a fibre's opacity is what does not pass, also where next to nothing is stopped") {
+  worst_case worst;
+  worst_case sum;
+  for_each_surface(1.001, 3.0, [&](float cosine, float eta) {
+    if (eta == 1.0f) return;
+    const float sine = static_cast<float>(std::sqrt((1.0 - cosine) * (1.0 + cosine)));
+    const double inclined = std::sqrt((1.0 - static_cast<double>(sine)) * (1.0 + static_cast<double>(sine)));
+    const shares_by_angles surface = fresnel_by_angles(inclined, eta);
+    const double stopped = surface.reflected * (1.0 + surface.transmitted);
+    const float opacity = fibre_opacity(eta, sine);
+    worst.see(std::abs(opacity - stopped) / stopped, {cosine, eta});
+    sum.see(std::abs(1.0 - static_cast<double>(opacity) - static_cast<double>(fibre_attenuation(eta, sine))),
+            {cosine, eta});
+  });
+  CHECK_MESSAGE(worst.error < 2e-6, worst);
+  CHECK_MESSAGE(sum.error < 1e-6, sum);
+}
+
+TEST_CASE("across a hair of index 1.55 nine parts in a hundred are stopped, at Brewster's angle sixteen") {
+  // F = (0.55 / 2.55)² = 0.0465206, and 1 - (1 - F)² = 0.0908770. At tan θ = 1.55 only one polarisation reflects:
+  // F = ½ ((1.55² - 1) / (1.55² + 1))² = 0.0849531, and 1 - (1 - F)² = 0.1626893.
+  CHECK(fibre_opacity(1.55, 0.0) == doctest::Approx(0.09087697468264433).epsilon(1e-12));
+  CHECK(fibre_opacity(1.55, 1.55 / std::sqrt(1.0 + 1.55 * 1.55)) ==
+        doctest::Approx(0.16268925858906014).epsilon(1e-12));
+}
+
 TEST_CASE("light along a fibre, beyond it, or NaN does not pass") {
   for (const float sine : {1.0f, -1.0f, 1.5f, -inf, nan}) {
     CHECK(fibre_attenuation(1.55f, sine) == 0.0f);
+    CHECK(fibre_opacity(1.55f, sine) == 1.0f);
   }
   CHECK(fibre_attenuation(nan, 0.5f) == 0.0f);
+  CHECK(fibre_opacity(nan, 0.5f) == 1.0f);
+  CHECK(fibre_opacity(1.0f, 0.5f) == 0.0f);
 }
 
 }  // namespace pelage::test

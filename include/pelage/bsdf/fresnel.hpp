@@ -27,5 +27,18 @@ template <std::floating_point Real>
   return sqr(dielectric_interface(safe_sqrt((Real(1) - sin_theta) * (Real(1) + sin_theta)), eta).transmitted);
 }
 
+/// 1 - A(η, θ) = F (2 - F), [0, 1]: the opacity of a clear fibre that light meets in full, with its relative precision
+/// where A is near 1. Energy: nothing is absorbed; what does not pass is reflected, at one surface or the other, and is
+/// the fibre's to scatter. Where the fibre covers the share C of a beam, A C + 1 - C passes [Yu12 §3.1], so
+/// optical_depth((1 - A) C) is this crossing's part of a sum of integers.
+///
+/// `eta`, `sin_theta` as above; along the fibre and beyond, or NaN: 1; without a change of index 0.
+template <std::floating_point Real>
+[[nodiscard]] Real fibre_opacity(Real eta, Real sin_theta) noexcept {
+  const interface_shares<Real> surface =
+      dielectric_interface(safe_sqrt((Real(1) - sin_theta) * (Real(1) + sin_theta)), eta);
+  return surface.reflected * (Real(1) + surface.transmitted);
+}
+
 }  // namespace pelage
 #include <pelage/core/exact_end.hpp>

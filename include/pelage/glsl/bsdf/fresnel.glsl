@@ -25,4 +25,16 @@ precise float pelage_fibre_attenuation(float eta, float sin_theta) {
       pelage_dielectric_interface(pelage_safe_sqrt((1.0 - sin_theta) * (1.0 + sin_theta)), eta).transmitted);
 }
 
+/// 1 - A(η, θ) = F (2 - F), [0, 1]: the opacity of a clear fibre that light meets in full, with its relative precision
+/// where A is near 1. Energy: nothing is absorbed; what does not pass is reflected, at one surface or the other, and is
+/// the fibre's to scatter. Where the fibre covers the share C of a beam, A C + 1 - C passes [Yu12 §3.1], so
+/// pelage_optical_depth((1 - A) C) is this crossing's part of a sum of integers.
+///
+/// `eta`, `sin_theta` as above; along the fibre and beyond, or NaN: 1; without a change of index 0.
+precise float pelage_fibre_opacity(float eta, float sin_theta) {
+  const pelage_interface_shares surface =
+      pelage_dielectric_interface(pelage_safe_sqrt((1.0 - sin_theta) * (1.0 + sin_theta)), eta);
+  return surface.reflected * (1.0 + surface.transmitted);
+}
+
 #endif
