@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "frame/stage.hpp"
@@ -34,6 +35,8 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const clock::time_point start = clock::now();
   const stage set = set_up(model, settings);
   const strands& fibres = set.fibres;
+  const bool is_fresnel = settings.look.passing == attenuation::fresnel;
+  const std::optional<float> eta = is_fresnel ? std::optional(settings.look.eta) : std::nullopt;
   const order_options options{settings.order, settings.k, set.drawing_order};
 
   frame_result result;
@@ -46,7 +49,7 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
       const std::string name = fmt::format("light {}", i + 1);
       progress(name, static_cast<double>(i) / passes);
       const clock::time_point pass_start = clock::now();
-      const raster fragments(fibres, set.light_views[i], true);
+      const raster fragments(fibres, set.light_views[i], true, eta);
       const double prepared = seconds_since(pass_start);
       cast_shadow made = cast(settings.shadow, fragments, world.opaque, options, has_translucency(settings.shown));
       result.passes.push_back({name, prepared, made.report, made.map->bytes()});
@@ -57,7 +60,7 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
 
   progress("camera", static_cast<double>(set.lights.size()) / passes);
   const clock::time_point pass_start = clock::now();
-  const raster fragments(fibres, set.eye, settings.antialias);
+  const raster fragments(fibres, set.eye, settings.antialias, eta);
   const double prepared = seconds_since(pass_start);
   const backdrop behind(set.eye, world, settings.antialias);
   const shaded_fibres shades(world, fragments, behind.limit(), settings.shading_spacing);

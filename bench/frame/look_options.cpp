@@ -18,12 +18,20 @@ const std::map<std::string, hair_colour> colour_names{{"blond", hair_colour::blo
                                                       {"red", hair_colour::red},
                                                       {"brown", hair_colour::brown},
                                                       {"black", hair_colour::black}};
+const std::map<std::string, attenuation> attenuation_names{{"constant", attenuation::constant},
+                                                           {"fresnel", attenuation::fresnel}};
 
 }  // namespace
 
 void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
   app.add_option("--bsdf", o.model, "how a fibre scatters light")
       ->check(CLI::IsMember(names(model_names)))
+      ->capture_default_str();
+  app.add_option(
+         "--attenuation", o.passing,
+         "what a fibre lets pass: constant, 1 less the model's opacity or --alpha, or fresnel, by --eta and the "
+         "fibre's inclination to each ray")
+      ->check(CLI::IsMember(names(attenuation_names)))
       ->capture_default_str();
   CLI::Option* colour =
       app.add_option("--hair-colour", o.colour, "pigment by name; without it and --melanin the model's own colour")
@@ -49,8 +57,10 @@ void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
 
 void read_look(const look_options& o, fibre_look& look) {
   look.model = model_names.at(o.model);
+  look.passing = attenuation_names.at(o.passing);
   for (const CLI::Option* option : o.of_fibres) {
-    if (look.model == bsdf_model::kajiya_kay && option->count() > 0) {
+    const bool is_used = look.passing == attenuation::fresnel && option->get_name() == "--eta";
+    if (look.model == bsdf_model::kajiya_kay && option->count() > 0 && !is_used) {
       throw std::invalid_argument(option->get_name() + " needs --bsdf marschner, chiang or dual_scattering");
     }
   }

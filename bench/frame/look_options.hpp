@@ -13,6 +13,7 @@ namespace pelage::frame {
 /// What the options that say how fibres scatter light were given.
 struct look_options {
   std::string model = "kajiya_kay";
+  std::string passing = "constant";     ///< as attenuation's names
   std::string colour;                   ///< empty: none
   std::vector<float> melanin;           ///< eumelanin and, if given, pheomelanin
   std::vector<float> beta;              ///< along and, if given, round

@@ -55,6 +55,7 @@ nlohmann::json report_of(const command_line& c, const hair_model& model) {
           {"blend", c.blend},
           {"components", name_of(c.settings.shown)},
           {"bsdf", name_of(c.settings.look.model)},
+          {"attenuation", c.settings.look.passing == attenuation::fresnel ? "fresnel" : "constant"},
           {"k", c.settings.k}};
 }
 

@@ -24,6 +24,9 @@ void check(const frame_settings& s) {
   }
   if (!(s.shading_spacing >= 0.0F)) throw std::invalid_argument("the shading's spacing must be in [0, inf] pixels");
   if (s.opacity > 1.0F || std::isnan(s.opacity)) throw std::invalid_argument("alpha must be in [0, 1]");
+  if (s.opacity >= 0.0F && s.look.passing == attenuation::fresnel) {
+    throw std::invalid_argument("--alpha needs --attenuation constant");
+  }
   if (s.from && !(std::isfinite(s.from->x) && std::abs(s.from->y) < 90.0F)) {
     throw std::invalid_argument("the camera's elevation must be in (-90, 90) degrees");
   }

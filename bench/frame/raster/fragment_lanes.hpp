@@ -9,7 +9,6 @@
 #include <span>
 
 #include "frame/base/wide.hpp"
-#include "frame/model/strands.hpp"
 #include "frame/raster/pixel_fragment.hpp"
 
 namespace pelage::frame {
@@ -44,9 +43,6 @@ struct drawn_fragments {
 /// Calls `visit(k, x, y, pixel_fragment)` for each lane whose bit is set.
 template <class Visit>
 void for_each_drawn(const drawn_fragments& all, Visit&& visit);
-
-/// The opacity of each, looked up, times its coverage.
-[[nodiscard]] inline fragment_lanes::pack alpha_of(const strands& fibres, const fragment_lanes& all);
 
 /// Calls `use(fragment_lanes)` until each of the fragments has been in it once. Lanes without one have coverage 0,
 /// depth 0 and the id of one of them.
@@ -93,14 +89,6 @@ void for_each_drawn(const drawn_fragments& all, Visit&& visit) {
     const auto k = static_cast<std::size_t>(lane);
     visit(k, all.x[k], all.y[k], each[k]);
   });
-}
-
-inline fragment_lanes::pack alpha_of(const strands& fibres, const fragment_lanes& all) {
-  if (fibres.same_opacity) return fragment_lanes::pack(*fibres.same_opacity) * all.coverage;
-  fragment_lanes::pack opacity;
-  for (int k = 0; k < fragment_lanes::width; ++k)
-    opacity.lane[k] = fibres.mix(fibres.opacity, static_cast<std::uint32_t>(all.id[k]), all.along.lane[k]);
-  return opacity * all.coverage;
 }
 
 template <class Use>

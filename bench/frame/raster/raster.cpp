@@ -18,8 +18,13 @@ float screen_stretch(const view& from) {
   return from.cone.slope < 1.0F ? steepest / (1.0F - from.cone.slope) : std::numeric_limits<float>::infinity();
 }
 
-raster::raster(const strands& fibres, const view& from, bool antialias)
-    : fibres_(fibres), view_(from), antialias_(antialias), stretch_(screen_stretch(from)), point_(fibres.point.size()) {
+raster::raster(const strands& fibres, const view& from, bool antialias, std::optional<float> eta)
+    : fibres_(fibres),
+      view_(from),
+      antialias_(antialias),
+      stretch_(screen_stretch(from)),
+      opacity_(eta ? view_opacity(fibres, from, *eta) : view_opacity(fibres)),
+      point_(fibres.point.size()) {
   const std::size_t count = point_.size();
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const glm::vec3 position = view_.to_view(fibres_.point[i]);

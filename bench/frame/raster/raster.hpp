@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "frame/raster/fragment_lanes.hpp"
 #include "frame/raster/outline.hpp"
 #include "frame/raster/segment_in_pixel.hpp"
+#include "frame/raster/view_opacity.hpp"
 #include "frame/scene/view.hpp"
 
 namespace pelage::frame {
@@ -28,8 +30,9 @@ class raster {
  public:
   static constexpr int width = lane_width();
   /// `antialias` off: a pixel is covered whole if the axis crosses its disc or the fibre its centre, else not at all.
-  /// Both references must outlive the raster. O(points), parallel.
-  raster(const strands& fibres, const view& from, bool antialias);
+  /// `eta`: fibres stop what clear ones of this index do, by their inclination to the view's rays; none: what the model
+  /// says. Both references must outlive the raster. O(points), parallel.
+  raster(const strands& fibres, const view& from, bool antialias, std::optional<float> eta = {});
 
   /// The fragment of a segment in a pixel of the view.
   [[nodiscard]] pixel_fragment at(std::uint32_t segment, int x, int y) const;
@@ -73,6 +76,7 @@ class raster {
 
   [[nodiscard]] const strands& fibres() const { return fibres_; }
   [[nodiscard]] const view& from() const { return view_; }
+  [[nodiscard]] const view_opacity& opacity() const { return opacity_; }
 
   /// Position, or any other per-point value, at a place on a segment.
   template <class T>
@@ -94,6 +98,7 @@ class raster {
   const view& view_;
   bool antialias_;
   float stretch_;
+  view_opacity opacity_;
   big_array<projected> point_;
 };
 

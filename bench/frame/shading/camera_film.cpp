@@ -28,7 +28,7 @@ std::size_t camera_film::index(int x, int y) const {
 }
 
 float camera_film::opacity(const pixel_fragment& f) const {
-  return has_translucency(shown_) ? from_.mix(from_.fibres().opacity, f.id, f.along) : 1.0F;
+  return has_translucency(shown_) ? from_.opacity().at(f.id, f.along) : 1.0F;
 }
 
 std::uint32_t camera_film::slice_of(float depth) const {
@@ -50,7 +50,7 @@ void camera_film::lose_lanes(const drawn_fragments& lost, const std::array<std::
   const auto any = fragment_lanes::integers{} + lost.lanes.id[std::countr_zero(lost.set)];
   const auto is_set = mask_of(lost.set).lane;
   const fragment_lanes f{is_set ? lost.lanes.id : any, lost.lanes.depth, lost.lanes.coverage, lost.lanes.along};
-  const fragment_lanes::pack alpha = has_translucency(shown_) ? alpha_of(from_.fibres(), f) : f.coverage;
+  const fragment_lanes::pack alpha = has_translucency(shown_) ? from_.opacity().alpha(f) : f.coverage;
 
   const fragment_lanes::integers pixel = lost.y * picture_.width + lost.x;
   const fragment_lanes::integers inside = is_set ? pixel : pixel - pixel;

@@ -33,6 +33,9 @@ void check(const fibre_look& look) {
   hold(look.eta, 1.0F, 3.0F, "the index of refraction");
   hold(look.beta_m, 0.05F, 1.0F, "a fibre's roughness");
   hold(look.beta_n, 0.05F, 1.0F, "a fibre's roughness");
+  if (look.passing == attenuation::fresnel && look.model == bsdf_model::dual_scattering) {
+    throw std::invalid_argument("--bsdf dual_scattering needs --attenuation constant");
+  }
   hold(look.tilt, -20.0F, 20.0F, "the tilt of scales");
   if (look.pigment) {
     hold(look.pigment->eumelanin, 0.0F, 100.0F, "melanin");
@@ -187,6 +190,7 @@ glm::vec3 fibre_bsdf::scatter(const fibre_place& at, const glm::vec3& to_light, 
   const angles a = angles_of(at.tangent, to_light, at.to_eye);
   if (look_.model == bsdf_model::dual_scattering) return pi * dual_share(a, passed, at.opacity);
   const glm::vec3 share = look_.model == bsdf_model::marschner ? marschner_share(a) : chiang_share(a);
+  if (look_.passing == attenuation::fresnel) return pi * passed.transmittance * share;
   return pi * arriving(passed, table_->passage(a.sin_light)) * share;
 }
 

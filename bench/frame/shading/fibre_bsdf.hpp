@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "frame/base/wide.hpp"
+#include "frame/raster/view_opacity.hpp"
 #include "frame/shading/azimuthal_table.hpp"
 #include "frame/shadows/shadow_map.hpp"
 
@@ -32,6 +33,7 @@ struct fibre_look {
   float beta_m = 0.2F;                    ///< roughness along, [0.05, 1]; 0.2 is Marschner's β of 5°, 0.3 of 8°
   float beta_n = 0.3F;                    ///< roughness round, [0.05, 1]; Marschner's fibre has none
   float tilt = 2.0F;                      ///< of the cuticle's scales toward the tip, degrees, [-20, 20]
+  attenuation passing = attenuation::constant;
 };
 
 /// A place on a fibre and who looks at it; as many as Real has lanes.
@@ -57,6 +59,9 @@ using fibre_place = fibre_place_of<float>;
 /// multiply 1 - αc(1 - a). Dual scattering takes ā_f, which is all that goes on, to the power of the fibres' number,
 /// and widens the lobes by what those have spread. So no light is counted twice: all light through n fibres,
 /// added up over the fibre that was the last, is what a fibre passes to the power of n.
+///
+/// With attenuation::fresnel 1 - α is A, by the inclination to each light and to the eye, and the TT lobe's part of a
+/// path is in it: just T comes [Yu12 Eq. 3]. It has no colour, and dual scattering, which counts fibres, none of it.
 class fibre_bsdf {
  public:
   /// `own_colour`: mean reflectance of the fibres. Without a pigment Kajiya-Kay takes each place's own instead, and the

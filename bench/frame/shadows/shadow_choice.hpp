@@ -41,8 +41,8 @@ struct cast_shadow {
   order_report report;
 };
 
-/// Makes the map of a light. `order` says how k_buffer finds its fragments, and the order of drawing for all. `from`
-/// must outlive the map. Throws as run_order_pass() does.
+/// Makes the map of a light. `order` says how k_buffer finds its fragments, and the order of drawing for all. Throws as
+/// run_order_pass() does.
 [[nodiscard]] cast_shadow cast(const shadow_choice& choice, const raster& from, const solids& opaque,
                                const order_options& order, bool translucent);
 

@@ -17,7 +17,7 @@ constexpr float steepest = 64.0F;  ///< of receivers: up to there pixel coordina
 }  // namespace
 
 shadow_map::shadow_map(const raster& from, const solids& opaque, bool translucent)
-    : fibres_(from.fibres()),
+    : opacity_(from.opacity()),
       light_(from.from()),
       translucent_(translucent),
       limit_(opaque_depths(from.from(), opaque)),
@@ -132,13 +132,11 @@ std::uint64_t shadow_map::bytes() const {
 }
 
 float shadow_map::alpha(const pixel_fragment& f) const {
-  if (!translucent_) return f.coverage;
-  const float opacity = fibres_.same_opacity ? *fibres_.same_opacity : fibres_.mix(fibres_.opacity, f.id, f.along);
-  return opacity * f.coverage;
+  return translucent_ ? opacity_.alpha(f) : f.coverage;
 }
 
 fragment_lanes::pack shadow_map::alpha(const fragment_lanes& all) const {
-  return translucent_ ? alpha_of(fibres_, all) : all.coverage;
+  return translucent_ ? opacity_.alpha(all) : all.coverage;
 }
 
 void shadow_map::set_sums(std::size_t texel, std::uint32_t coverage, std::uint32_t optical) {

@@ -28,7 +28,7 @@ using passage = passage_of<float>;
 /// where a point is looked up, the depth of the nearest opaque object, and how many fibres an optical depth stands for.
 class shadow_map {
  public:
-  /// `from`'s fibres must outlive the map. `translucent` off: fibres are opaque.
+  /// `from` must exist until the map is filled. `translucent` off: fibres are opaque.
   shadow_map(const raster& from, const solids& opaque, bool translucent);
   virtual ~shadow_map() = default;
 
@@ -105,7 +105,7 @@ class shadow_map {
 
   [[nodiscard]] wide3 ray_to(const wide3& seen) const;
 
-  const strands& fibres_;
+  const view_opacity& opacity_;  ///< while the map is filled
   view light_;
   bool translucent_;
   std::vector<float> limit_;

@@ -88,6 +88,11 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
   b.translucent = has_translucency(settings.shown) ? 1 : 0;
   b.antialias = settings.antialias ? 1 : 0;
   b.segment_count = set.fibres.segment_count();
+  if (settings.look.passing == attenuation::fresnel) {
+    b.eta = settings.look.eta;
+    for (std::size_t v = 0; v <= set.lights.size(); ++v)
+      b.views[v].first_opacity = static_cast<std::uint32_t>(v * set.fibres.point.size());
+  }
   return b;
 }
 

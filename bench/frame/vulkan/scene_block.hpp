@@ -32,7 +32,8 @@ struct scene_block {
     std::uint32_t first_stamp;
     std::uint32_t stamp_count;
     std::uint32_t first_block;
-    std::array<std::uint32_t, 3> unused;
+    std::uint32_t first_opacity;
+    std::array<std::uint32_t, 2> unused;
   };
   struct light_block {
     glm::vec3 position;
@@ -66,7 +67,8 @@ struct scene_block {
   std::uint32_t translucent;
   std::uint32_t antialias;
   std::uint32_t segment_count;
-  std::array<std::uint32_t, 2> unused;
+  float eta;
+  std::array<std::uint32_t, 1> unused;
 };
 static_assert(sizeof(scene_block::view_block) == 112 && sizeof(scene_block::light_block) == 48 &&
               sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1744);

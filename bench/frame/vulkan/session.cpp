@@ -55,6 +55,9 @@ session::session(const stage& set, const frame_settings& settings)
   device_.resize(scene_buffer, sizeof constants_);
   upload_constants();
   upload_fibres(device_, set.fibres, set.drawing_order);
+  if (constants_.eta > 0.0F) {
+    device_.resize(opacity_buffer, (set.lights.size() + 1) * set.fibres.point.size() * sizeof(float));
+  }
   make_buffers();
 }
 
@@ -270,6 +273,7 @@ void session::finish(const view_range& views) {
 
 void session::make_frame() {
   begin(frame_);
+  if (constants_.eta > 0.0F) run(frame_, all_views(), "attenuate", over::points);
   if (light_plan_.maps || camera_plan_.maps) fill(frame_, all_views(), "maps", cell_buffer, 0);
   if (light_plan_.runs && camera_plan_.runs) {
     build(all_views());

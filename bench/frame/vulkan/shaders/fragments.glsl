@@ -8,7 +8,8 @@
 vec2 drawn_opacity;  ///< at the ends of the segment whose fragment is visited
 
 vec2 opacity_of(uint point) {
-  return scene.translucent && !is_camera() ? vec2(opacities[point], opacities[point + 1u]) : vec2(1.0);
+  const uint first = VIEW.first_opacity + point;
+  return scene.translucent && !is_camera() ? vec2(opacities[first], opacities[first + 1u]) : vec2(1.0);
 }
 
 /// Whether the pixel has a part of the segment, not hidden by opaque objects.

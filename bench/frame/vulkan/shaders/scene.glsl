@@ -32,6 +32,7 @@ struct view_block {
   uint first_stamp;
   uint stamp_count;
   uint first_block;  ///< in block_limits
+  uint first_opacity;
 };
 
 struct light_block {
@@ -77,6 +78,7 @@ layout(std140, binding = 0) uniform scene_block {
   bool translucent;
   bool antialias;
   uint segment_count;
+  float eta;  ///< of fibres that stop what Fresnel's equations say; else 0
 } scene;
 
 // What a segment's word holds beside its first point.
@@ -94,7 +96,7 @@ const uint point_mask = 0x3fffffffu;
 layout(std430, binding = 1) readonly buffer point_buffer { vec4 points[]; };  ///< world position, radius
 layout(std430, binding = 2) readonly buffer tangent_buffer { float tangents[]; };
 layout(std430, binding = 3) readonly buffer colour_buffer { float colours[]; };
-layout(std430, binding = 4) readonly buffer opacity_buffer { float opacities[]; };
+layout(std430, binding = 4) readonly buffer opacity_buffer { float opacities[]; };  ///< a point, of each view if they differ
 layout(std430, binding = 5) readonly buffer segment_buffer { uint segments[]; };  ///< first point and the two bits
 layout(std430, binding = 6) buffer record_buffer { uvec4 records[]; };  ///< a fragment, its coverage, where it lies
 layout(std430, binding = 7) buffer limit_buffer { float limits[]; };  ///< a pixel of a view: hidden from this depth on
