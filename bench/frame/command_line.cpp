@@ -47,11 +47,14 @@ void read_size(const std::string& text, frame_settings& settings) {
 }
 
 /// Refuses the options that have no meaning on what draws.
-void check_drawn_on(bool device, const CLI::Option* spacing, float pixels, const CLI::Option* frames) {
+void check_drawn_on(bool device, const CLI::Option* spacing, float pixels, const CLI::Option* frames, bool turns) {
   if (device && spacing->count() > 0 && pixels != std::numeric_limits<float>::infinity()) {
     throw std::invalid_argument("--shading-spacing: --device vulkan shades the ends of segments alone, as inf does");
   }
-  if (!device && frames->count() > 0) throw std::invalid_argument("--frames needs --device vulkan");
+  if (device && turns) throw std::invalid_argument("--turn: --device vulkan draws from one side");
+  if (!device && !turns && frames->count() > 0) {
+    throw std::invalid_argument("--frames needs --device vulkan or --turn");
+  }
 }
 
 }  // namespace
@@ -97,7 +100,9 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--blend", c.blend,
                  "how fragments become a pixel: k_buffer, exact, order_weighted, weighted_average, weighted_blended, "
-                 "depth_peeling or stochastic:N with N samples, 1, 2, 4 ... 64; --k and --order are k_buffer's")
+                 "depth_peeling, stochastic:N with N samples, 1, 2, 4 ... 64, or sliced:N or sliced_clipped:N with N "
+                 "slices, 8, "
+                 "16 ... 1024, else 256; --k and --order are k_buffer's")
       ->capture_default_str();
   CLI::Option* tail =
       app.add_option(
@@ -137,9 +142,11 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--device", device, "what draws: cpu or vulkan")
       ->check(CLI::IsMember({"cpu", "vulkan"}))
       ->capture_default_str();
-  CLI::Option* frames =
-      app.add_option("--frames", c.frames, "drawn by --device vulkan; the report has their median times")
-          ->check(CLI::Range(1, 100000));
+  CLI::Option* frames = app.add_option("--frames", c.frames,
+                                       "drawn by --device vulkan, whose report has their median times, or of --turn")
+                            ->check(CLI::Range(1, 100000));
+  app.add_option("--turn", c.turn, "how far the camera goes round the model from frame to frame, degrees")
+      ->check(CLI::Range(-360.0, 360.0));
   app.add_option("--shuffle", s.shuffle, "draw segments in an order of this seed; the picture is the same")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
@@ -164,7 +171,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
     throw std::invalid_argument("--tail needs --blend k_buffer");
   }
   if (c.on_device && s.tails != 1) throw std::invalid_argument("--tail: --device vulkan keeps the mean");
-  check_drawn_on(c.on_device, spacing, s.shading_spacing, frames);
+  check_drawn_on(c.on_device, spacing, s.shading_spacing, frames, c.turn != 0.0F);
   for (const std::string& text : lights)
     s.lights.push_back(parse_light(text));
   if (!from.empty()) s.from = glm::vec2(from[0], from[1]);

@@ -20,7 +20,8 @@ struct command_line {
   std::uint64_t seed = 1;           ///< of the built-in model, follow strands and stochastic blending
   int threads = 0;                  ///< 0: one a core
   bool on_device = false;           ///< drawn by Vulkan
-  std::uint32_t frames = 1;         ///< that a device draws, to be timed
+  std::uint32_t frames = 1;         ///< that a device draws, to be timed, or of a turn
+  float turn = 0.0F;                ///< the camera's from frame to frame, degrees of azimuth
   std::string shadow = "k_buffer";  ///< as parse_shadow() reads it
   std::string blend = "k_buffer";   ///< as parse_blend() reads it
   std::string tail = "mean";        ///< as parse_tail() reads it

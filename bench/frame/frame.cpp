@@ -34,6 +34,14 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
                         const std::function<void(const std::string&, double)>& progress) {
   const clock::time_point start = clock::now();
   const stage set = set_up(model, settings);
+  frame_result result = draw_frame(set, settings, progress);
+  result.seconds = seconds_since(start);
+  return result;
+}
+
+frame_result draw_frame(const stage& set, const frame_settings& settings,
+                        const std::function<void(const std::string&, double)>& progress) {
+  const clock::time_point start = clock::now();
   const strands& fibres = set.fibres;
   const bool is_fresnel = settings.look.passing == attenuation::fresnel;
   const std::optional<float> eta = is_fresnel ? std::optional(settings.look.eta) : std::nullopt;
@@ -66,12 +74,30 @@ frame_result draw_frame(const hair_model& model, const frame_settings& settings,
   const shaded_fibres shades(world, fragments, behind.limit(), settings.shading_spacing);
   camera_film film(fragments, behind, shades, settings.shown, settings.tails);
   const double shaded = seconds_since(pass_start) - prepared;
-  const order_report report = draw_on(film, settings.blend, fragments, options);
+  const order_report report = draw_on(film, settings.blend, fragments, options, set.slices);
   result.picture = film.picture();
   result.passes.push_back({"camera", prepared, report, result.picture.pixels.size() * sizeof(glm::vec3), shaded});
   result.seconds = seconds_since(start);
+  result.sorts = set.slices.sorts;
+  result.sort_seconds = set.slices.sort_seconds;
   progress("done", 1.0);
   return result;
+}
+
+frame_result draw_turn(const hair_model& model, const frame_settings& settings, std::uint32_t frames, float degrees,
+                       const std::function<void(const std::string&, double)>& progress) {
+  const clock::time_point start = clock::now();
+  stage set = set_up(model, settings);
+  frame_settings now = settings;
+  const glm::vec2 first = set.from;
+  for (std::uint32_t frame = 1; frame < frames; ++frame) {
+    (void)draw_frame(set, now, progress);
+    now.from = turned(first, degrees, frame);
+    move_camera(set, model, now);
+  }
+  frame_result last = draw_frame(set, now, progress);
+  last.seconds = seconds_since(start);
+  return last;
 }
 
 }  // namespace pelage::frame

@@ -75,7 +75,11 @@ nlohmann::json report_of(const frame_result& frame) {
                       {"structure_bytes", p.order.bytes},
                       {"result_bytes", p.bytes}});
   }
-  return {{"seconds", frame.seconds}, {"peak_bytes", peak_memory()}, {"passes", passes}};
+  return {{"seconds", frame.seconds},
+          {"peak_bytes", peak_memory()},
+          {"slice_sorts", frame.sorts},
+          {"slice_sort_seconds", frame.sort_seconds},
+          {"passes", passes}};
 }
 
 nlohmann::json report_of(const device_frame& frame) {
@@ -159,7 +163,7 @@ void run(const command_line& c) {
                         frame.frames, frame.hash);
     picture = std::move(frame.picture);
   } else {
-    frame_result frame = arena.execute([&] { return draw_frame(model, c.settings, show_progress); });
+    frame_result frame = arena.execute([&] { return draw_turn(model, c.settings, c.frames, c.turn, show_progress); });
     report.update(report_of(frame));
     report["threads"] = threads;
     const auto [fragments, behind] = count_fragments(frame);

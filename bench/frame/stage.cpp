@@ -138,6 +138,23 @@ view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& towa
                           0.01F * round.radius, footprint);
 }
 
+void place_views(stage& s, const box& bounds, const frame_settings& settings) {
+  s.from = settings.from ? *settings.from : best_side(s.opaque, s.round, settings.on_bust);
+  const int texels =
+      settings.map_size != 0 ? settings.map_size : std::clamp(std::max(settings.width, settings.height), 2, 2048);
+  s.lights.clear();
+  s.light_views.clear();
+  for (const light& relative : settings.lights.empty() ? studio(s.from.x) : settings.lights) {
+    s.lights.push_back(place_light(relative, s.round));
+    s.light_views.push_back(light_view(s.lights.back(), s.round, texels));
+  }
+  const glm::vec3 toward = direction_of(s.from);
+  s.eye = fitted_camera(bounds, s.round, toward, settings.width, settings.height,
+                        settings.antialias ? settings.footprint : pixel_footprint::inscribed);
+  s.slices.slices = settings.blend.slices;
+  s.slices.update(s.fibres, bounds, -toward);
+}
+
 }  // namespace
 
 stage set_up(const hair_model& model, const frame_settings& settings) {
@@ -150,16 +167,13 @@ stage set_up(const hair_model& model, const frame_settings& settings) {
   s.drawing_order = drawing_order(s.fibres.segment_count(), settings.shuffle);
   s.opaque = opaque_objects(model, bounds, s.round, settings.on_bust);
   s.sky = glm::vec3(0.62F, 0.66F, 0.72F);
-  const glm::vec2 from = settings.from ? *settings.from : best_side(s.opaque, s.round, settings.on_bust);
-  const int texels =
-      settings.map_size != 0 ? settings.map_size : std::clamp(std::max(settings.width, settings.height), 2, 2048);
-  for (const light& relative : settings.lights.empty() ? studio(from.x) : settings.lights) {
-    s.lights.push_back(place_light(relative, s.round));
-    s.light_views.push_back(light_view(s.lights.back(), s.round, texels));
-  }
-  s.eye = fitted_camera(bounds, s.round, direction_of(from), settings.width, settings.height,
-                        settings.antialias ? settings.footprint : pixel_footprint::inscribed);
+  place_views(s, bounds, settings);
   return s;
+}
+
+void move_camera(stage& s, const hair_model& model, const frame_settings& settings) {
+  check(settings);
+  place_views(s, model.bounds(), settings);
 }
 
 }  // namespace pelage::frame

@@ -6,6 +6,7 @@
 
 #include "frame/model/hair_model.hpp"
 #include "frame/model/strands.hpp"
+#include "frame/order/slice_order.hpp"
 #include "frame/scene/lights.hpp"
 #include "frame/scene/solids.hpp"
 #include "frame/scene/view.hpp"
@@ -23,9 +24,15 @@ struct stage {
   std::vector<view> light_views;             ///< one a light
   view eye;                                  ///< the camera's
   std::vector<std::uint32_t> drawing_order;  ///< segments' numbers; empty: 0, 1, 2…
+  slice_order slices;                        ///< of the camera, if the blend asks for it
+  glm::vec2 from;                            ///< where the camera stands, as in the settings
 };
 
 /// Throws std::invalid_argument for a setting out of range and a model that float's range does not hold.
 [[nodiscard]] stage set_up(const hair_model& model, const frame_settings& settings);
+
+/// Moves the camera, and lights that go with it, to where the settings say: afterwards a stage is as set_up() makes it,
+/// except that the slices' order stays until it is stale.
+void move_camera(stage& s, const hair_model& model, const frame_settings& settings);
 
 }  // namespace pelage::frame

@@ -5,6 +5,8 @@
 #include "property.hpp"
 #include "visibility/cells.hpp"
 
+#include <glm/vec3.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -97,6 +99,22 @@ TEST_CASE("no piece crosses a plane, so pieces drawn slice by slice are in depth
     RC_ASSERT(std::max(first.slice, last.slice) == slice_sort::slice_of(a, b, 8u));
     RC_ASSERT(std::max(first.slice, last.slice) - std::min(first.slice, last.slice) + 1u == pieces);
   });
+}
+
+TEST_CASE("an order is stale from a turn of acos 0.95 on, and one for no direction always") {
+  holds("any direction and turn", [] {
+    const double azimuth = *rc::gen::inRange(0, 628) / 100.0;
+    const double height = *rc::gen::inRange(-99, 100) / 100.0;
+    const double width = std::sqrt(1.0 - height * height);
+    const glm::dvec3 axis(width * std::cos(azimuth), width * std::sin(azimuth), height);
+    const glm::dvec3 across(-std::sin(azimuth), std::cos(azimuth), 0.0);
+    const double degrees = *rc::gen::inRange(0, 1801) / 10.0;
+    const double turn = degrees * 0.017453292519943295;
+    const glm::dvec3 seen = std::cos(turn) * axis + std::sin(turn) * across;
+    RC_ASSERT(slice_sort::is_stale(glm::vec3(axis), glm::vec3(seen)) == (degrees > 18.194872338766785));
+  });
+  CHECK(slice_sort::is_stale(glm::vec3(0.0f), glm::vec3(0.0f, 0.0f, 1.0f)));
+  CHECK(slice_sort::is_stale(glm::vec3(0.0f, 0.0f, 1.0f), glm::vec3(std::numeric_limits<float>::quiet_NaN())));
 }
 
 }  // namespace pelage::test

@@ -10,6 +10,7 @@
 
 #include "frame/base/compiled_sizes.hpp"
 #include "frame/base/method_text.hpp"
+#include "frame/blends/sliced.hpp"
 #include "frame/blends/unordered.hpp"
 #include "frame/order/list_pass.hpp"
 
@@ -82,10 +83,16 @@ blend_choice parse_blend(const std::string& text) {
                                                          {"depth_peeling", blend_method::depth_peeling}};
   const method_text given("--blend", text);
   if (given.word() == "stochastic") return {blend_method::stochastic, given.one_of(compiled_samples, "samples")};
+  if (given.word() == "sliced" || given.word() == "sliced_clipped") {
+    blend_choice choice{given.word() == "sliced" ? blend_method::sliced : blend_method::sliced_clipped};
+    choice.slices = text == given.word() ? 256 : given.one_of(slice_counts, "slices");
+    return choice;
+  }
   const auto found = plain.find(given.word());
   if (found == plain.end()) {
     given.fail(
-        "not exact, k_buffer, order_weighted, weighted_average, weighted_blended, depth_peeling or stochastic:N");
+        "not exact, k_buffer, order_weighted, weighted_average, weighted_blended, depth_peeling, stochastic:N, "
+        "sliced:N or sliced_clipped:N");
   }
   given.without_argument();
   return {found->second};
@@ -99,7 +106,8 @@ std::uint32_t parse_tail(const std::string& text) {
   return given.word() == "none" ? 0 : 1;
 }
 
-order_report draw_on(camera_film& film, const blend_choice& choice, const raster& from, const order_options& order) {
+order_report draw_on(camera_film& film, const blend_choice& choice, const raster& from, const order_options& order,
+                     const slice_order& slices) {
   switch (choice.method) {
     case blend_method::exact:
       break;
@@ -115,6 +123,10 @@ order_report draw_on(camera_film& film, const blend_choice& choice, const raster
       return draw_by_peeling(film, from, order);
     case blend_method::stochastic:
       return draw_stochastic(film, from, order, choice);
+    case blend_method::sliced:
+    case blend_method::sliced_clipped:
+      return draw_sliced(film, from, slices,
+                         choice.method == blend_method::sliced ? at_planes::whole : at_planes::clipped);
   }
   return draw_in_order(film, from, order, order_method::full_sort);
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "frame/order/order_pass.hpp"
+#include "frame/order/slice_order.hpp"
 #include "frame/shading/camera_film.hpp"
 
 namespace pelage::frame {
@@ -18,21 +19,28 @@ enum class blend_method {
   weighted_average,  ///< as equal fragments of mean colour and alpha [Bavoil & Myers 2008]
   weighted_blended,  ///< by a function of depth [McGuire & Bavoil 2013]
   depth_peeling,     ///< layer after layer, a pass over all fragments for each [Everitt 2001]
-  stochastic         ///< by random samples, alpha-corrected [Enderton et al. 2010]
+  stochastic,        ///< by random samples, alpha-corrected [Enderton et al. 2010]
+  sliced,            ///< in the order of the depth slices of segments' farther ends [Svoboda §1.3.3]
+  sliced_clipped     ///< the same of segments that are cut at the slices' planes [Sintorn & Assarsson 2008]
 };
 
 /// Samples a pixel that the renderer is compiled for.
 inline constexpr std::array<std::uint32_t, 7> compiled_samples{1, 2, 4, 8, 16, 32, 64};
+
+/// Slices that the depths of a model can be cut into.
+inline constexpr std::array<std::uint32_t, 8> slice_counts{8, 16, 32, 64, 128, 256, 512, 1024};
 
 /// A method and its parameters.
 struct blend_choice {
   blend_method method = blend_method::k_buffer;
   std::uint32_t samples = 0;  ///< of stochastic, one of compiled_samples
   std::uint32_t seed = 1;     ///< of stochastic
+  std::uint32_t slices = 0;   ///< of sliced and sliced_clipped, one of slice_counts; else 0
 };
 
 /// Reads "exact", "k_buffer", "order_weighted", "weighted_average", "weighted_blended", "depth_peeling" or
-/// "stochastic:N"; the seed is another option's. Throws std::invalid_argument with one line that says what is wrong.
+/// "stochastic:N"; the seed is another option's; "sliced", "sliced:N", "sliced_clipped" or "sliced_clipped:N", 256
+/// slices without N. Throws std::invalid_argument with one line that says what is wrong.
 [[nodiscard]] blend_choice parse_blend(const std::string& text);
 
 /// Slices that a pixel's tails can be cut into.
@@ -43,7 +51,8 @@ inline constexpr std::array<std::uint32_t, 6> tail_slices{2, 4, 8, 16, 32, 64};
 [[nodiscard]] std::uint32_t parse_tail(const std::string& text);
 
 /// Draws all fragments of a raster, the film's own, on the film. `order` says how k_buffer finds its fragments, and the
-/// order of drawing for all. Throws as run_order_pass() does.
-order_report draw_on(camera_film& film, const blend_choice& choice, const raster& from, const order_options& order);
+/// order of drawing for all; `slices`, the order of sliced and sliced_clipped. Throws as run_order_pass() does.
+order_report draw_on(camera_film& film, const blend_choice& choice, const raster& from, const order_options& order,
+                     const slice_order& slices = {});
 
 }  // namespace pelage::frame

@@ -4,6 +4,9 @@
 #include <pelage/core/assert.hpp>
 #include <pelage/order/slice_pieces.hpp>
 
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -52,6 +55,14 @@ inline void fill(std::span<const std::uint32_t> slice, std::uint32_t first, std:
     ++places[s];
     ++segment;
   }
+}
+
+/// Whether an order that was made for one direction of depth is to be made anew for another: if the cosine of their
+/// angle is less than 0.95, which is 18.2°. Until then the order of a turning camera may be kept. [Svoboda §2.5.1,
+/// whose directions are from the camera to the model's middle] A model that has changed needs a new order, too.
+/// `sorted`, `seen`: unit. NaN, or a direction of length 0, as of an order that was never made: true.
+[[nodiscard]] inline bool is_stale(const glm::vec3& sorted, const glm::vec3& seen) noexcept {
+  return !(glm::dot(sorted, seen) >= 0.95f);
 }
 
 }  // namespace pelage::slice_sort
