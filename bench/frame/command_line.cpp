@@ -95,8 +95,8 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
       ->capture_default_str();
   app.add_option(
          "--shadow", c.shadow,
-         "what a light's map keeps: k_buffer, occupancy, opacity:N or deep_opacity:N with N layers, 4, 8 ... 256, "
-         "deep:ERR with the greatest error, or exact; --k and --order are k_buffer's")
+         "what a light's map keeps: k_buffer, occupancy, opacity:N, deep_opacity:N or deep_opacity_growing:N "
+         "with N layers, 4, 8 ... 256, deep:ERR with the greatest error, or exact; --k and --order are k_buffer's")
       ->capture_default_str();
   app.add_option("--blend", c.blend,
                  "how fragments become a pixel: k_buffer, exact, order_weighted, weighted_average, weighted_blended, "

@@ -20,7 +20,8 @@ using namespace frame;
 
 const std::vector<std::string> all_shadows{"k_buffer",    "occupancy",      "opacity:4",
                                            "opacity:256", "deep_opacity:4", "deep_opacity:256",
-                                           "deep:0.02",   "deep:0",         "exact"};
+                                           "deep:0.02",   "deep:0",         "deep_opacity_growing:8",
+                                           "exact"};
 
 cast_shadow cast_in(const lit_fibres& scene, const std::string& method, std::span<const std::uint32_t> order = {}) {
   return cast(parse_shadow(method), scene.fragments, scene.opaque, {order_method::k_buffer, 4, order}, true);
@@ -171,6 +172,7 @@ TEST_CASE("a map's memory is what its method keeps of each texel") {
   CHECK(bytes("opacity:16") == 64);
   CHECK(bytes("opacity:128") == 512);
   CHECK(bytes("deep_opacity:16") == 68);
+  CHECK(bytes("deep_opacity_growing:8") == 36);
   const cast_shadow kept = made("k_buffer");
   CHECK(kept.report.fragments > 0);
   CHECK(kept.map->bytes() == texels * texels * (24 + shared) + 8 * kept.report.fragments);
@@ -184,6 +186,7 @@ TEST_CASE("what is no shadow method is refused") {
   for (const char* argument : {"", ":", ":0", ":5", ":-4", ":4.0", ":16 ", ":4294967300", ":nan"}) {
     refused(std::string("opacity") + argument, "N layers, one of 4, 8,");
     refused(std::string("deep_opacity") + argument, "N layers, one of 4, 8,");
+    refused(std::string("deep_opacity_growing") + argument, "N layers, one of 4, 8,");
   }
   for (const char* argument : {"", ":", ":-1", ":1.1", ":nan", ":inf", ":0.1x", ":1e99"})
     refused(std::string("deep") + argument, "in [0, 1]");

@@ -14,7 +14,7 @@ layer_layout layers_of_model(const raster& from) {
   depth_range whole = depth_range::empty();
   for (const glm::vec3& point : from.fibres().point)
     whole.extend(std::max(-from.from().to_view(point).z, from.from().near_plane));
-  return {{whole.nearest_depth()}, whole.farthest_depth() - whole.nearest_depth()};
+  return {{whole.nearest_depth()}, whole.farthest_depth() - whole.nearest_depth(), layer_widths::equal};
 }
 
 layer_layout layers_of_texels(const raster& from, std::span<const float> limit,
@@ -25,7 +25,7 @@ layer_layout layers_of_texels(const raster& from, std::span<const float> limit,
     for (const pixel_fragment& f : all)
       ranges[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)].extend(f.depth);
   });
-  layer_layout layout{{}, 0.0F};
+  layer_layout layout{{}, 0.0F, layer_widths::equal};
   std::vector<float> extents;
   for (const depth_range& range : ranges) {
     layout.first.push_back(range.nearest_depth());

@@ -1,6 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <pelage/visibility/layer_position.hpp>
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,11 +11,19 @@
 
 namespace pelage::frame {
 
+/// How wide a texel's layers are: all the same, or as 1, 2, 3...
+enum class layer_widths { equal, growing };
+
 /// Where the layers of a map's texels lie.
 struct layer_layout {
   std::vector<float> first;  ///< view depth at which the layers begin: of each texel, or one for all
   float extent;              ///< of all layers of a texel together, [0, inf)
+  layer_widths widths = layer_widths::equal;
 
+  /// Of the first of so many layers.
+  [[nodiscard]] float width(std::uint32_t layers) const {
+    return widths == layer_widths::growing ? growing_layer_width(extent, layers) : extent / static_cast<float>(layers);
+  }
   [[nodiscard]] float first_of(std::size_t texel) const { return first[first.size() == 1 ? 0 : texel]; }
 };
 

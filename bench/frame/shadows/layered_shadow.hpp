@@ -17,7 +17,7 @@ template <std::uint32_t Layers>
 class layered_shadow final : public list_shadow {
  public:
   layered_shadow(const raster& from, const solids& opaque, bool translucent, layer_layout layout)
-      : list_shadow(from, opaque, translucent), layout_(std::move(layout)) {}
+      : list_shadow(from, opaque, translucent), layout_(std::move(layout)), width_(layout_.width(Layers)) {}
 
   void fill(int x, int y, std::span<pixel_fragment> all) override {
     opacity_map<Layers>& map = map_[index(x, y)];
@@ -28,7 +28,9 @@ class layered_shadow final : public list_shadow {
 
  private:
   [[nodiscard]] float position(std::size_t texel, float depth) const {
-    return equal_layer_position(depth - layout_.first_of(texel), layout_.extent / static_cast<float>(Layers), Layers);
+    const float offset = depth - layout_.first_of(texel);
+    return layout_.widths == layer_widths::growing ? growing_layer_position(offset, width_, Layers)
+                                                   : equal_layer_position(offset, width_, Layers);
   }
   [[nodiscard]] float optical_before(std::size_t texel, float depth) const override {
     return map_[texel].accumulated_before(position(texel, depth));
@@ -38,6 +40,7 @@ class layered_shadow final : public list_shadow {
   }
 
   layer_layout layout_;
+  float width_;  ///< of the first layer
   std::vector<opacity_map<Layers>> map_ = std::vector(texels(), opacity_map<Layers>::empty());
 };
 

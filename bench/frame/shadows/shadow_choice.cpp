@@ -48,9 +48,10 @@ struct caster {
   }
 
   /// The first pass finds where the layers begin.
-  [[nodiscard]] cast_shadow deep_layered(std::uint32_t layers) const {
+  [[nodiscard]] cast_shadow deep_layered(std::uint32_t layers, layer_widths widths) const {
     order_report first;
-    const layer_layout layout = layers_of_texels(from, opaque_depths(from.from(), opaque), order.drawing_order, first);
+    layer_layout layout = layers_of_texels(from, opaque_depths(from.from(), opaque), order.drawing_order, first);
+    layout.widths = widths;
     cast_shadow made = layered(layers, layout);
     made.report.bin_seconds += first.bin_seconds;
     made.report.build_seconds += first.build_seconds;
@@ -73,9 +74,10 @@ shadow_choice parse_shadow(const std::string& text) {
   if (given.word() == "occupancy") return plain(shadow_method::occupancy);
   if (given.word() == "opacity") return layered(shadow_method::opacity);
   if (given.word() == "deep_opacity") return layered(shadow_method::deep_opacity);
+  if (given.word() == "deep_opacity_growing") return layered(shadow_method::deep_opacity_growing);
   if (given.word() == "deep") return {shadow_method::deep, 0, given.share("the greatest error")};
   if (given.word() == "exact") return plain(shadow_method::exact);
-  given.fail("not k_buffer, occupancy, opacity:N, deep_opacity:N, deep:ERR or exact");
+  given.fail("not k_buffer, occupancy, opacity:N, deep_opacity:N, deep_opacity_growing:N, deep:ERR or exact");
 }
 
 cast_shadow cast(const shadow_choice& choice, const raster& from, const solids& opaque, const order_options& order,
@@ -89,7 +91,9 @@ cast_shadow cast(const shadow_choice& choice, const raster& from, const solids& 
     case shadow_method::opacity:
       return light.layered(choice.layers, layers_of_model(from));
     case shadow_method::deep_opacity:
-      return light.deep_layered(choice.layers);
+      return light.deep_layered(choice.layers, layer_widths::equal);
+    case shadow_method::deep_opacity_growing:
+      return light.deep_layered(choice.layers, layer_widths::growing);
     case shadow_method::deep:
       return light.filled(std::make_unique<deep_shadow>(from, opaque, translucent, choice.max_error));
     case shadow_method::exact:
