@@ -298,6 +298,7 @@ template float gaussian(float, float) noexcept;
 template marschner_result<float> evaluate_marschner(const marschner_parameters<float>&, float, float, float,
                                                     float) noexcept;
 template float table_coordinate(float, std::uint32_t) noexcept;
+template marschner_table_place<float> marschner_table_place_of(float, float, std::uint32_t, std::uint32_t) noexcept;
 template marschner_lobes<float> azimuthal_lobes(const fibre_section<float>&, const marschner_parameters<float>&,
                                                 float) noexcept;
 template dual_local<float> dual_local_scattering(const dual_averages<float>&, const dual_density<float>&) noexcept;

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include <pelage/bsdf/marschner_table.hpp>
 
-#include <doctest/doctest.h>
-
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
 #include <vector>
+
+#include "property.hpp"
 
 using namespace pelage;
 
@@ -89,6 +93,37 @@ TEST_CASE("both axes are even and held at their ends") {
   const auto end = look_up_marschner(stored.table, 1.0f, 3.1415927f);
   const auto beyond = look_up_marschner(stored.table, 1.5f, 4.0f);
   CHECK(end.reflected == beyond.reflected);
+}
+
+TEST_CASE("a place's weights are a mean over neighbours, whose own place is the place asked for") {
+  pelage::test::holds("a place in a table", [] {
+    const auto drawn = [](int least, int end) {
+      return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(least, end));
+    };
+    const auto thetas = static_cast<std::uint32_t>(drawn(2, 4097));
+    const auto phis = static_cast<std::uint32_t>(drawn(2, 4097));
+    const float sine = static_cast<float>(drawn(-1200000, 1200001)) * 1e-6f;
+    const float phi = static_cast<float>(drawn(-3500000, 3500001)) * 1e-6f;
+    const auto place = marschner_table_place_of(sine, phi, thetas, phis);
+    double sum = 0.0, row = 0.0, column = 0.0;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      RC_ASSERT(place.weight[corner] >= 0.0f && place.entry[corner] < thetas * phis);
+      RC_ASSERT(place.entry[corner] == place.entry[0] + corner % 2 + corner / 2 * phis);
+      RC_ASSERT(place.entry[corner] % phis >= corner % 2);
+      const double weight = place.weight[corner];
+      sum += weight;
+      row += weight * (place.entry[corner] / phis);
+      column += weight * (place.entry[corner] % phis);
+    }
+    RC_ASSERT(std::abs(sum - 1.0) < 1e-6);
+    const double last_row = thetas - 1u, last_column = phis - 1u;
+    RC_ASSERT(std::abs(row - std::min(std::abs(double{sine}), 1.0) * last_row) < 1e-6 * (1.0 + last_row));
+    const double turn = std::abs(double{phi}) / std::numbers::pi;
+    RC_ASSERT(std::abs(column - std::min(turn, 1.0) * last_column) < 1e-6 * (1.0 + last_column));
+  });
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  CHECK(marschner_table_place_of(nan, nan, 5u, 7u).weight[3] == 1.0f);
+  CHECK(marschner_table_place_of(nan, nan, 5u, 7u).entry[3] == 34u);
 }
 
 TEST_CASE("texture coordinates put the ends on the first and the last texel's middle") {

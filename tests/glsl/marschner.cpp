@@ -66,7 +66,7 @@ TEST_CASE("N_R + N_TT + N_TRT of clear hair at θ = 0 integrates to 0.9924 on ev
     (void)integrate(0.0, length, 400, node);
     weights.push_back(length);
   }
-  const run_rows run = run_over(kernels::marschner, given, 13, 46);
+  const run_rows run = run_over(kernels::marschner, given, 13, 48);
   std::size_t r = 0;
   double sum = 0.0;
   for (const double length : weights) {
@@ -141,6 +141,8 @@ TEST_CASE("Marschner's model is within 6e-5 of double on every device") {
           put_or_skip(well_conditioned(section, 1, in.d(9)),
                       {lobes.transmitted.x, lobes.transmitted.y, lobes.transmitted.z});
           put_or_skip(well_conditioned(section, 2, in.d(9)), {lobes.returned.x, lobes.returned.y, lobes.returned.z});
+          out.put(63.0 * h);
+          out.put(255.0 * std::abs(in.d(9)) / std::numbers::pi);
         },
         {{"gaussian", 3, 2e-5, 1e-6},
          {"bare_azimuthal R", 3, 2e-5, 1e-6},
@@ -158,7 +160,8 @@ TEST_CASE("Marschner's model is within 6e-5 of double on every device") {
          {"eccentric_index", 1, 1e-6},
          {"table_coordinate", 1, 5e-7},
          {"azimuthal_lobes R, TT", 6, 2e-5, 1e-6},
-         {"azimuthal_lobes TRT", 3, 6e-5, 1e-6}});
+         {"azimuthal_lobes TRT", 3, 6e-5, 1e-6},
+         {"marschner_table_place_of", 2, 1e-6, 1.0}});
   });
 }
 

@@ -58,7 +58,21 @@ void fill_marschner_table(const marschner_parameters<Real>& parameters, const ma
 template <std::floating_point Real>
 [[nodiscard]] Real table_coordinate(Real position, std::uint32_t count) noexcept;
 
-/// N of the three lobes, linear between entries. `sin_theta_d` in [-1, 1], `phi` in [-π, π], both held.
+/// The four entries of a table between which a look-up lies.
+template <std::floating_point Real>
+struct marschner_table_place {
+  std::array<std::uint32_t, 4> entry;  ///< by rows
+  std::array<Real, 4> weight;          ///< [0, 1]; they sum to 1
+};
+
+/// The place of `sin_theta_d` in [-1, 1] and `phi` in [-π, π], both clamped to that, in a table of these counts in
+/// [2, 4096]. NaN counts as 1 and π.
+template <std::floating_point Real>
+[[nodiscard]] marschner_table_place<Real> marschner_table_place_of(Real sin_theta_d, Real phi,
+                                                                   std::uint32_t theta_count,
+                                                                   std::uint32_t phi_count) noexcept;
+
+/// N of the three lobes, linear between the entries of that place.
 template <std::floating_point Real>
 [[nodiscard]] marschner_lobes<Real> look_up_marschner(const marschner_table<Real>& table, Real sin_theta_d,
                                                       Real phi) noexcept;
@@ -100,23 +114,31 @@ Real table_coordinate(Real position, std::uint32_t count) noexcept {
 }
 
 template <std::floating_point Real>
-marschner_lobes<Real> look_up_marschner(const marschner_table<Real>& table, Real sin_theta_d, Real phi) noexcept {
-  const Real row = least(absolute(sin_theta_d), Real(1)) * static_cast<Real>(table.theta_count - 1u);
-  const Real column =
-      least(absolute(phi) * Real(0.318309886183790672), Real(1)) * static_cast<Real>(table.phi_count - 1u);
-  const std::uint32_t i = std::min(static_cast<std::uint32_t>(row), table.theta_count - 2u);
-  const std::uint32_t k = std::min(static_cast<std::uint32_t>(column), table.phi_count - 2u);
+marschner_table_place<Real> marschner_table_place_of(Real sin_theta_d, Real phi, std::uint32_t theta_count,
+                                                     std::uint32_t phi_count) noexcept {
+  const Real row = least(absolute(sin_theta_d), Real(1)) * static_cast<Real>(theta_count - 1u);
+  const Real column = least(absolute(phi) * Real(0.318309886183790672), Real(1)) * static_cast<Real>(phi_count - 1u);
+  const std::uint32_t i = std::min(static_cast<std::uint32_t>(row), theta_count - 2u);
+  const std::uint32_t k = std::min(static_cast<std::uint32_t>(column), phi_count - 2u);
   const Real down = row - static_cast<Real>(i);
   const Real right = column - static_cast<Real>(k);
-  const std::array<Real, 4> weight = {(Real(1) - down) * (Real(1) - right), (Real(1) - down) * right,
-                                      down * (Real(1) - right), down * right};
-  const std::size_t first = std::size_t{i} * table.phi_count + k;
+  const std::uint32_t first = i * phi_count + k;
+  return marschner_table_place<Real>{
+      std::array<std::uint32_t, 4>{first, first + 1u, first + phi_count, first + phi_count + 1u},
+      std::array<Real, 4>{(Real(1) - down) * (Real(1) - right), (Real(1) - down) * right, down * (Real(1) - right),
+                          down * right}};
+}
+
+template <std::floating_point Real>
+marschner_lobes<Real> look_up_marschner(const marschner_table<Real>& table, Real sin_theta_d, Real phi) noexcept {
+  const marschner_table_place<Real> place =
+      marschner_table_place_of(sin_theta_d, phi, table.theta_count, table.phi_count);
   marschner_lobes<Real> sum = {glm::vec<3, Real>(0), glm::vec<3, Real>(0), glm::vec<3, Real>(0)};
   for (std::uint32_t corner = 0u; corner < 4u; ++corner) {
-    const std::size_t at = first + (corner & 1u) + std::size_t{corner >> 1u} * table.phi_count;
-    sum.reflected += weight[corner] * table.reflected[at];
-    sum.transmitted += weight[corner] * table.transmitted[at];
-    sum.returned += weight[corner] * table.returned[at];
+    const std::uint32_t at = place.entry[corner];
+    sum.reflected += place.weight[corner] * table.reflected[at];
+    sum.transmitted += place.weight[corner] * table.transmitted[at];
+    sum.returned += place.weight[corner] * table.returned[at];
   }
   return sum;
 }

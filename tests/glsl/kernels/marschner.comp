@@ -3,7 +3,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define STRIDE 13u
-#define RESULTS 46u
+#define RESULTS 48u
 #include "table.glsl"
 
 #include "pelage/glsl/bsdf/marschner_table.glsl"
@@ -49,4 +49,11 @@ void main() {
   put(37u, lobes.reflected);
   put(40u, lobes.transmitted);
   put(43u, lobes.returned);
+  const pelage_marschner_table_place place = pelage_marschner_table_place_of(f(12u), f(9u), 64u, 256u);
+  vec2 where = vec2(0.0);
+  for (uint corner = 0u; corner < 4u; ++corner) {
+    where += place.weight[corner] * vec2(place.entry[corner] / 256u, place.entry[corner] % 256u);
+  }
+  put(46u, where.x);
+  put(47u, where.y);
 }

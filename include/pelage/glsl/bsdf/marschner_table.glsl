@@ -23,6 +23,17 @@ pelage_marschner_lobes pelage_azimuthal_lobes(pelage_fibre_section section, pela
 /// last middles are the ends.
 precise float pelage_table_coordinate(float position, uint count);
 
+/// The four entries of a table between which a look-up lies.
+struct pelage_marschner_table_place {
+  uint entry[4];    ///< by rows
+  float weight[4];  ///< [0, 1]; they sum to 1
+};
+
+/// The place of `sin_theta_d` in [-1, 1] and `phi` in [-π, π], both clamped to that, in a table of these counts in
+/// [2, 4096]. NaN counts as 1 and π.
+precise pelage_marschner_table_place pelage_marschner_table_place_of(float sin_theta_d, float phi, uint theta_count,
+                                                                     uint phi_count);
+
 // ---------------------------------------------------------------------------------------------------------
 
 pelage_marschner_lobes pelage_azimuthal_lobes(pelage_fibre_section section, pelage_marschner_parameters parameters,
@@ -35,6 +46,20 @@ pelage_marschner_lobes pelage_azimuthal_lobes(pelage_fibre_section section, pela
 precise float pelage_table_coordinate(float position, uint count) {
   const float last = float(count - 1u);
   return (pelage_least(pelage_greatest(position, 0.0), 1.0) * last + 0.5) / float(count);
+}
+
+precise pelage_marschner_table_place pelage_marschner_table_place_of(float sin_theta_d, float phi, uint theta_count,
+                                                                     uint phi_count) {
+  const float row = pelage_least(pelage_absolute(sin_theta_d), 1.0) * float(theta_count - 1u);
+  const float column = pelage_least(pelage_absolute(phi) * 0.318309886183790672, 1.0) * float(phi_count - 1u);
+  const uint i = min(uint(row), theta_count - 2u);
+  const uint k = min(uint(column), phi_count - 2u);
+  const float down = row - float(i);
+  const float right = column - float(k);
+  const uint first = i * phi_count + k;
+  return pelage_marschner_table_place(
+      uint[4](first, first + 1u, first + phi_count, first + phi_count + 1u),
+      float[4]((1.0 - down) * (1.0 - right), (1.0 - down) * right, down * (1.0 - right), down * right));
 }
 
 #endif
