@@ -4,11 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <span>
 
 #include "frame/stage.hpp"
 
@@ -19,13 +17,6 @@ using clock = std::chrono::steady_clock;
 
 double seconds_since(clock::time_point start) {
   return std::chrono::duration<double>(clock::now() - start).count();
-}
-
-glm::vec3 mean(std::span<const glm::vec3> colours) {
-  glm::dvec3 sum(0.0);
-  for (const glm::vec3& c : colours)
-    sum += c;
-  return sum / std::max(static_cast<double>(colours.size()), 1.0);
 }
 
 }  // namespace
@@ -48,7 +39,7 @@ frame_result draw_frame(const stage& set, const frame_settings& settings,
   const order_options options{settings.order, settings.k, set.drawing_order};
 
   frame_result result;
-  scene world{fibres, set.opaque, {}, set.round, set.sky, fibre_bsdf(settings.look, mean(fibres.colour))};
+  scene world{fibres, set.opaque, {}, set.round, set.sky, make_bsdf(set, settings.look)};
   const double passes = static_cast<double>(set.lights.size() + 1);
 
   for (std::size_t i = 0; i < set.lights.size(); ++i) {

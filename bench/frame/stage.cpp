@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 
 #include "frame/base/random.hpp"
@@ -155,6 +156,13 @@ void place_views(stage& s, const box& bounds, const frame_settings& settings) {
   s.slices.update(s.fibres, bounds, -toward);
 }
 
+glm::vec3 mean(std::span<const glm::vec3> colours) {
+  glm::dvec3 sum(0.0);
+  for (const glm::vec3& c : colours)
+    sum += c;
+  return sum / std::max(static_cast<double>(colours.size()), 1.0);
+}
+
 }  // namespace
 
 stage set_up(const hair_model& model, const frame_settings& settings) {
@@ -174,6 +182,10 @@ stage set_up(const hair_model& model, const frame_settings& settings) {
 void move_camera(stage& s, const hair_model& model, const frame_settings& settings) {
   check(settings);
   place_views(s, model.bounds(), settings);
+}
+
+fibre_bsdf make_bsdf(const stage& set, const fibre_look& look) {
+  return {look, mean(set.fibres.colour)};
 }
 
 }  // namespace pelage::frame

@@ -35,4 +35,7 @@ struct stage {
 /// except that the slices' order stays until it is stale.
 void move_camera(stage& s, const hair_model& model, const frame_settings& settings);
 
+/// How the stage's fibres scatter light. Throws as fibre_bsdf does.
+[[nodiscard]] fibre_bsdf make_bsdf(const stage& set, const fibre_look& look);
+
 }  // namespace pelage::frame

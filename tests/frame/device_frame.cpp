@@ -236,9 +236,6 @@ TEST_CASE("What the shaders do not have is refused in one line") {
   settings = small_frame(order_method::k_buffer, 2);
   CHECK(refusal(settings).find("--k must be") != std::string::npos);
   settings = small_frame(order_method::k_buffer, 8);
-  settings.look.model = bsdf_model::chiang;
-  CHECK(refusal(settings).find("--bsdf") != std::string::npos);
-  settings = small_frame(order_method::k_buffer, 8);
   settings.shadow.method = shadow_method::deep;
   CHECK(refusal(settings).find("--shadow") != std::string::npos);
   settings = small_frame(order_method::k_buffer, 8);

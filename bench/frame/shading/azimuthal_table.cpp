@@ -11,12 +11,10 @@
 namespace pelage::frame {
 namespace {
 
-constexpr std::uint32_t rows = 64;      ///< sines of inclination from 0 to 1
-constexpr std::uint32_t columns = 256;  ///< azimuths from 0 to π
 constexpr float pi = 3.14159265F;
 
 float sine_of_row(std::uint32_t row) {
-  return static_cast<float>(row) / static_cast<float>(rows - 1);
+  return static_cast<float>(row) / static_cast<float>(azimuthal_table::rows - 1);
 }
 
 glm::vec3 colour_of(const std::array<float, 3>& a) {

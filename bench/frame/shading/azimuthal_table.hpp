@@ -19,6 +19,9 @@ namespace pelage::frame {
 /// Marschner's, 0.01 for Chiang's with β_n ≥ 0.1 (0.013 at 0.05), for inclinations up to 1.2 (69°).
 class azimuthal_table {
  public:
+  static constexpr std::uint32_t rows = 64;      ///< sines of inclination from 0 to 1
+  static constexpr std::uint32_t columns = 256;  ///< azimuths from 0 to π
+
   azimuthal_table(azimuthal_table&&) = default;  // spans keep pointing to what the vectors hold
   azimuthal_table& operator=(azimuthal_table&&) = default;
   explicit azimuthal_table(const marschner_parameters<float>& parameters);
@@ -35,6 +38,12 @@ class azimuthal_table {
 
   /// ∫ Σ N (1 - |φ|/π) dφ: the share that turns back, as dual scattering takes it apart.
   [[nodiscard]] glm::vec3 backward(float sin_theta) const { return look_up(backward_, sin_theta); }
+
+  /// The entries themselves: N by rows and columns, the others by rows.
+  [[nodiscard]] const marschner_table<float>& lobes() const { return table_; }
+  [[nodiscard]] const std::vector<glm::vec3>& residual() const { return residual_; }
+  [[nodiscard]] const std::vector<glm::vec3>& passage() const { return passage_; }
+  [[nodiscard]] const std::vector<glm::vec3>& backward() const { return backward_; }
 
  private:
   azimuthal_table();

@@ -96,17 +96,16 @@ fibre_bsdf::fibre_bsdf(const fibre_look& look, const glm::vec3& own_colour) : lo
   mass_albedo_ = mass_albedo(look);
   const std::array<float, 3> sigma_a = absorption(look, own_colour);
   marschner_ = marschner_of(look, sigma_a);
-  const chiang_fibre<float> fibre = chiang_of(look, sigma_a);
-  chiang_ = make_chiang_quad_fibre(fibre);
+  fibre_ = chiang_of(look, sigma_a);
+  chiang_ = make_chiang_quad_fibre(fibre_);
   if (look.model == bsdf_model::marschner) table_.emplace(marschner_);
-  if (look.model == bsdf_model::chiang || look.model == bsdf_model::dual_scattering) table_.emplace(fibre);
+  if (look.model == bsdf_model::chiang || look.model == bsdf_model::dual_scattering) table_.emplace(fibre_);
   if (look.model == bsdf_model::dual_scattering) average();
 }
 
 /// What comes from one inclination of light is what an eye there would see of all: Chiang's model has the two change
 /// places.
 void fibre_bsdf::average() {
-  constexpr std::uint32_t inclinations = 48;
   constexpr float step = pi / static_cast<float>(inclinations);
   averages_.resize(inclinations);
   tbb::parallel_for(0U, inclinations, [&](std::uint32_t i) {

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "frame/base/wide.hpp"
@@ -81,6 +82,18 @@ class fibre_bsdf {
                               std::uint32_t set) const;
   [[nodiscard]] wide3 reflect_sky(const fibre_place_of<wide>& at, std::uint32_t set) const;
 
+  /// What another device needs for the same results: the colour of a pigment's hair for Kajiya-Kay; the models ready
+  /// for use; N, null for Kajiya-Kay; averages at the middles of equal steps from -π/2 to π/2 for dual scattering, else
+  /// empty.
+  [[nodiscard]] std::optional<glm::vec3> pigment_colour() const {
+    return look_.pigment ? std::optional(mass_albedo_) : std::nullopt;
+  }
+  [[nodiscard]] const marschner_parameters<float>& marschner() const { return marschner_; }
+  [[nodiscard]] const chiang_fibre<float>& chiang() const { return fibre_; }
+  [[nodiscard]] const azimuthal_table* table() const { return table_ ? &*table_ : nullptr; }
+  [[nodiscard]] std::span<const dual_averages<float>> averages() const { return averages_; }
+  static constexpr std::uint32_t inclinations = 48;  ///< of averages
+
  private:
   /// Both directions as the models take them.
   struct angles {
@@ -102,6 +115,7 @@ class fibre_bsdf {
   fibre_look look_;
   glm::vec3 mass_albedo_;  ///< of hair with the look's pigment, if it has one
   marschner_parameters<float> marschner_;
+  chiang_fibre<float> fibre_;
   chiang_quad_fibre chiang_;
   std::optional<azimuthal_table> table_;
   std::vector<dual_averages<float>> averages_;

@@ -36,6 +36,8 @@ enum binding : std::uint32_t {
   blended_buffer,
   stamp_buffer,
   block_limit_buffer,
+  bsdf_buffer,
+  covered_buffer,
   buffer_count
 };
 

@@ -79,6 +79,13 @@ plan plan_by_occupancy() {
   return p;
 }
 
+plan plan_of_lights(const frame_settings& s) {
+  plan p = s.shadow.method == shadow_method::occupancy ? plan_by_occupancy() : plan_by_order(s, false);
+  p.covered = s.look.model == bsdf_model::dual_scattering;
+  if (p.covered) p.finish.push_back({"cover", over::segments});
+  return p;
+}
+
 /// All fragments drawn three times: for the depth range, for the map of it, and to be blended.
 plan plan_by_weight() {
   plan p{};
@@ -105,17 +112,20 @@ plan plan_by_peeling() {
 
 }  // namespace
 
+std::string shading_kernel(const fibre_look& look) {
+  if (look.model == bsdf_model::marschner) return "shade_marschner";
+  if (look.model == bsdf_model::chiang) return "shade_chiang";
+  return look.model == bsdf_model::dual_scattering ? "shade_dual_scattering" : "shade";
+}
+
 plan plan_of(const frame_settings& s, bool camera) {
-  if (!camera) return s.shadow.method == shadow_method::occupancy ? plan_by_occupancy() : plan_by_order(s, false);
+  if (!camera) return plan_of_lights(s);
   if (s.blend.method == blend_method::order_weighted) return plan_by_weight();
   if (s.blend.method == blend_method::depth_peeling) return plan_by_peeling();
   return plan_by_order(s, true);
 }
 
 void check_settings(const frame_settings& s) {
-  if (s.look.model != bsdf_model::kajiya_kay || s.look.pigment) {
-    throw std::runtime_error("--device vulkan: fibres are lit by --bsdf kajiya_kay in their own colours");
-  }
   if (s.shadow.method != shadow_method::k_buffer && s.shadow.method != shadow_method::occupancy) {
     throw std::runtime_error("--device vulkan: maps are made by --shadow k_buffer or occupancy");
   }

@@ -35,6 +35,7 @@ struct plan {
   std::uint32_t slots;       ///< of 8 bytes a pixel
   bool maps;                 ///< a pixel has an occupancy map
   std::uint32_t blended;     ///< words that a pixel is blended in
+  bool covered;              ///< a light's texel has the sum of its fibres' coverage
 };
 
 /// The plan of the camera or of the lights.
@@ -43,6 +44,9 @@ struct plan {
 
 /// Refuses before any work what no shader has, in the same way.
 void check_settings(const frame_settings& settings);
+
+/// The kernel that lights the fibres' points, of several variants by what the lights' maps are.
+[[nodiscard]] std::string shading_kernel(const fibre_look& look);
 
 /// True if the frame needs 64-bit atomics.
 [[nodiscard]] bool needs_64_bit_atomics(const frame_settings& settings);

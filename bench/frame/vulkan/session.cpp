@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "frame/vulkan/bsdf_block.hpp"
 #include "frame/vulkan/kernels.hpp"
 
 namespace pelage::frame::vulkan {
@@ -46,6 +47,7 @@ session::session(const stage& set, const frame_settings& settings)
       shadows_(has_shadows(settings.shown)),
       light_plan_(plan_of(settings, false)),
       camera_plan_(plan_of(settings, true)),
+      shading_(shading_kernel(settings.look)),
       constants_(make_scene_block(set, settings)) {
   check_device();
   if (needs_64_bit_atomics(settings) && !device_.has_64_bit_atomics()) {
@@ -58,6 +60,7 @@ session::session(const stage& set, const frame_settings& settings)
   if (constants_.eta > 0.0F) {
     device_.resize(opacity_buffer, (set.lights.size() + 1) * set.fibres.point.size() * sizeof(float));
   }
+  upload_bsdf(device_, make_bsdf(set, settings.look), set.fibres.point.size());
   make_buffers();
 }
 
@@ -160,6 +163,7 @@ void session::make_buffers() {
   device_.resize(stamp_buffer, 0);
   const std::uint64_t texels = all - pixels(camera());
   device_.resize(cell_buffer, (light_plan_.maps || camera_plan_.maps ? all : 0) * 12 * sizeof(std::uint32_t));
+  device_.resize(covered_buffer, (light_plan_.covered ? texels : 0) * 2 * sizeof(std::uint32_t));
   device_.resize(blended_buffer, pixels(camera()) * camera_plan_.blended * sizeof(std::uint32_t));
   measure();
   make_room();
@@ -257,7 +261,7 @@ void session::finish(const view_range& views) {
   const plan& p = plan_for(views.first);
   if (views.first == camera()) {
     const std::string maps = light_plan_.maps ? "_occupancy" : "";
-    run(frame_, views, {{"shade" + maps, over::points}, {"background" + maps, over::pixels}});
+    run(frame_, views, {{shading_ + maps, over::points}, {"background" + maps, over::pixels}});
     frame_.steps.back().beside = true;
     frame_.names.back().pass = (frame_.names.end() - 2)->pass = "shade, background";
   }
@@ -275,6 +279,7 @@ void session::make_frame() {
   begin(frame_);
   if (constants_.eta > 0.0F) run(frame_, all_views(), "attenuate", over::points);
   if (light_plan_.maps || camera_plan_.maps) fill(frame_, all_views(), "maps", cell_buffer, 0);
+  if (light_plan_.covered) fill(frame_, all_views(), "covered", covered_buffer, 0);
   if (light_plan_.runs && camera_plan_.runs) {
     build(all_views());
     if (lights().end > 0 && shadows_) finish(lights());

@@ -100,6 +100,7 @@ class session {
   bool shadows_;
   plan light_plan_;
   plan camera_plan_;
+  std::string shading_;  ///< the kernel, less what its name says of the maps
   scene_block constants_;
   std::uint32_t capacity_ = 0;
   std::vector<view_report> counted_;

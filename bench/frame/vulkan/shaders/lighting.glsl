@@ -46,42 +46,60 @@ vec3 ray_to(uint l, vec3 p) {
   return scene.views[l].perspective ? vec3(p.xy / max(-p.z, scene.views[l].near_plane), -1.0) : vec3(0.0, 0.0, -1.0);
 }
 
-/// The share of a light that reaches a position in its view: four texels, weighted bilinearly, each up to the depth of
-/// a receiver with this slope there. `among_fibres`: objects stop nothing.
-float transmittance_to(uint l, vec3 p, vec2 slope, float bias, bool among_fibres) {
+/// Where a light's map is looked up: four texels, each up to the depth that the receiver has there.
+struct map_square {
+  bool is_inside;
+  uint first;  ///< the upper left texel
+  uint below;  ///< the lower left one
+  vec2 weight;
+  vec4 depths;  ///< by rows
+};
+
+/// Of a receiver with this slope at a position in the light's view.
+map_square square_at(uint l, vec3 p, vec2 slope, float bias) {
+  map_square s;
   const float depth = -p.z - bias;
-  if (depth <= scene.views[l].near_plane) {
-    return 1.0;
-  }
   const vec2 pixel = to_pixel(l, p) - 0.5;
   const vec2 corner = floor(pixel);
-  const vec2 weight = pixel - corner;
   const ivec2 size = scene.views[l].size;
-  if (!(corner.x >= 0.0 && corner.y >= 0.0 && corner.x < float(size.x - 1) && corner.y < float(size.y - 1))) {
-    return 1.0;
+  s.is_inside = depth > scene.views[l].near_plane && corner.x >= 0.0 && corner.y >= 0.0 &&
+                corner.x < float(size.x - 1) && corner.y < float(size.y - 1);
+  if (s.is_inside) {
+    s.weight = pixel - corner;
+    s.first = scene.views[l].first_pixel + uint(corner.y) * uint(size.x) + uint(corner.x);
+    s.below = s.first + uint(size.x);
+    const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
+    const float there = depth - dot(s.weight, growth);
+    s.depths = there + vec4(0.0, growth.x, growth.y, growth.x + growth.y);
   }
-  const uint first = scene.views[l].first_pixel + uint(corner.y) * uint(size.x) + uint(corner.x);
-  const uint below = first + uint(size.x);
-  const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
-  const float there = depth - dot(weight, growth);
-  const vec4 depths = there + vec4(0.0, growth.x, growth.y, growth.x + growth.y);
-  const vec4 passed = transmittance_in(first, below, depths, among_fibres);
-  const float top = mix(passed.x, passed.y, weight.x);
-  const float bottom = mix(passed.z, passed.w, weight.x);
-  return mix(top, bottom, weight.y);
+  return s;
+}
+
+map_square square_at_fibre(uint l, vec3 world, vec3 tangent, float radius) {
+  const vec3 p = to_view(l, world);
+  const vec2 slope = pelage_line_depth_slope(ray_to(l, p), direction_to_view(l, tangent), steepest);
+  return square_at(l, p, slope, 2.0 * radius);
+}
+
+/// The mean of what four texels hold, weighted bilinearly.
+float mean_in(map_square s, vec4 held) {
+  return mix(mix(held.x, held.y, s.weight.x), mix(held.z, held.w, s.weight.x), s.weight.y);
+}
+
+/// The share of the light that passes. `among_fibres`: objects stop nothing.
+float transmittance_in(map_square s, bool among_fibres) {
+  return s.is_inside ? mean_in(s, transmittance_in(s.first, s.below, s.depths, among_fibres)) : 1.0;
 }
 
 float transmittance_to_fibre(uint l, vec3 world, vec3 tangent, float radius) {
-  const vec3 p = to_view(l, world);
-  const vec2 slope = pelage_line_depth_slope(ray_to(l, p), direction_to_view(l, tangent), steepest);
-  return transmittance_to(l, p, slope, 2.0 * radius, false);
+  return transmittance_in(square_at_fibre(l, world, tangent, radius), false);
 }
 
 /// The same of a point on an object's surface, without what objects hide.
 float transmittance_to_surface(uint l, vec3 world, vec3 normal) {
   const vec3 p = to_view(l, world);
   const vec2 slope = pelage_plane_depth_slope(ray_to(l, p), direction_to_view(l, normal), steepest);
-  return transmittance_to(l, p, slope, 0.0, true);
+  return transmittance_in(square_at(l, p, slope, 0.0), true);
 }
 
 #endif

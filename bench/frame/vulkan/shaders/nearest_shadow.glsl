@@ -20,28 +20,32 @@ float share_before(texel t, float depth) {
   return reach > 0.0 ? pelage_saturate(0.5 + 0.5 * (depth - middle) / reach) : depth < middle ? 0.0 : 1.0;
 }
 
-/// What a texel lets through whose `before` first entries lie before a depth.
+/// The optical depth before a depth, in a texel whose `before` first entries lie before it.
+uint optical_before(texel t, uint before, float depth) {
+  if (before < t.held) {
+    return before > 0u ? entries[t.first + before - 1u].y : 0u;
+  }
+  if (t.behind == 0u) {
+    return t.last_optical;
+  }
+  const float share = share_before(t, depth);
+  const float greatest = 4294967040.0;  // the last float below 2^32
+  return pelage_add_saturating(t.last_optical, uint(share * min(float(t.behind), greatest)));
+}
+
+/// What a texel lets through.
 float transmittance_behind(texel t, uint before, float depth, bool among_fibres) {
   if (!among_fibres && depth > t.limit) {
     return 0.0;
   }
-  if (before < t.held) {
-    return pelage_transmittance_of(before > 0u ? entries[t.first + before - 1u].y : 0u);
-  }
-  uint optical = t.last_optical;
-  if (t.behind > 0u) {
-    const float share = share_before(t, depth);
-    const float greatest = 4294967040.0;  // the last float below 2^32
-    optical = pelage_add_saturating(optical, uint(share * min(float(t.behind), greatest)));
-  }
-  return pelage_transmittance_of(optical);
+  return pelage_transmittance_of(optical_before(t, before, depth));
 }
 
-/// What a square of four texels lets through, by rows, each up to its depth. All four are searched at once: a search
-/// waits for each of its loads, and so four wait together. Behind a texel's last entry there is nothing to search.
-vec4 transmittance_in(uint pixel, uint below, vec4 depth, bool among_fibres) {
-  texel square[4] = texel[4](texel_in(pixel), texel_in(pixel + 1u), texel_in(below), texel_in(below + 1u));
-  uvec4 before;
+/// A square of four texels, by rows, and how many entries of each lie before a depth. All four are searched at once: a
+/// search waits for each of its loads, and so four wait together. Behind a texel's last entry there is nothing to
+/// search.
+void search_in(uint pixel, uint below, vec4 depth, out texel square[4], out uvec4 before) {
+  square = texel[4](texel_in(pixel), texel_in(pixel + 1u), texel_in(below), texel_in(below + 1u));
   uint most = 0u;
   for (int t = 0; t < 4; ++t) {
     const bool is_search = square[t].held > 0u && !(square[t].last_depth < depth[t]);
@@ -58,11 +62,29 @@ vec4 transmittance_in(uint pixel, uint below, vec4 depth, bool among_fibres) {
       before[t] += probe[t] < depth[t] ? stride : 0u;
     }
   }
+}
+
+/// What a square of four texels lets through, by rows, each up to its depth.
+vec4 transmittance_in(uint pixel, uint below, vec4 depth, bool among_fibres) {
+  texel square[4];
+  uvec4 before;
+  search_in(pixel, below, depth, square, before);
   vec4 passed;
   for (int t = 0; t < 4; ++t) {
     passed[t] = transmittance_behind(square[t], before[t], depth[t], among_fibres);
   }
   return passed;
+}
+
+/// The optical depth of a square's fibres, each texel's up to its depth, and of all of them.
+void optical_in(uint pixel, uint below, vec4 depth, out vec4 optical, out vec4 whole) {
+  texel square[4];
+  uvec4 before;
+  search_in(pixel, below, depth, square, before);
+  for (int t = 0; t < 4; ++t) {
+    optical[t] = float(optical_before(square[t], before[t], depth[t]));
+    whole[t] = float(pelage_add_saturating(square[t].last_optical, square[t].behind));
+  }
 }
 
 #endif

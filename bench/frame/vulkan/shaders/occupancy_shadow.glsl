@@ -21,4 +21,14 @@ vec4 transmittance_in(uint pixel, uint below, vec4 depth, bool among_fibres) {
               transmittance_at(below, depth.z, among_fibres), transmittance_at(below + 1u, depth.w, among_fibres));
 }
 
+/// The optical depth of a square's fibres, each texel's up to its depth, and of all of them.
+void optical_in(uint pixel, uint below, vec4 depth, out vec4 optical, out vec4 whole) {
+  const uvec4 texels = uvec4(pixel, pixel + 1u, below, below + 1u);
+  for (int t = 0; t < 4; ++t) {
+    const occupancy o = load_occupancy(texels[t]);
+    optical[t] = pelage_occupancy_map_amount_before(o.map, map_position(o.range, depth[t]));
+    whole[t] = float(pelage_occupancy_map_total(o.map));
+  }
+}
+
 #endif

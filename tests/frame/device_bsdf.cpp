@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include "frame/vulkan/device_frame.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/fibres.hpp"
+#include "frame/model/built_in.hpp"
+
+namespace pelage::test {
+
+using namespace frame;
+
+constexpr bsdf_model models[]{bsdf_model::kajiya_kay, bsdf_model::marschner, bsdf_model::chiang,
+                              bsdf_model::dual_scattering};
+
+/// Root mean square of what a device's channels may differ by from the processor's.
+constexpr double rounding = 0.0003;
+
+const hair_model& small_hair() {
+  static const hair_model model = make_built_in(150, 12, 1);
+  return model;
+}
+
+frame_settings lit_by(bsdf_model model, std::optional<melanin<float>> pigment = melanin_of<float>(hair_colour::blond)) {
+  frame_settings s;
+  s.width = 56;
+  s.height = 44;
+  s.k = 8;
+  s.opacity = 0.4F;
+  s.fibre_radius = 0.02F;
+  s.on_bust = true;
+  s.shading_spacing = std::numeric_limits<float>::infinity();  // as shaders light segments
+  s.look.model = model;
+  s.look.pigment = pigment;
+  return s;
+}
+
+/// None, after one line, on a machine without a device, unless one is a must.
+std::optional<device_frame> draw(const frame_settings& settings, std::uint32_t frames = 1,
+                                 const hair_model& model = small_hair()) {
+  try {
+    return draw_frame_on_device(model, settings, frames);
+  } catch (const no_device& e) {
+    MESSAGE("not run: ", e.what());
+    CHECK(std::getenv("PELAGE_DEVICE_REQUIRED") == nullptr);
+    return std::nullopt;
+  }
+}
+
+image drawn_here(const frame_settings& settings, const hair_model& model = small_hair()) {
+  return draw_frame(model, settings, [](const std::string&, double) {}).picture;
+}
+
+TEST_CASE("Every model's picture, in every colour, is the processor's except for rounding") {
+  std::vector<std::optional<melanin<float>>> pigments{std::nullopt};
+  for (const hair_colour c : {hair_colour::blond, hair_colour::red, hair_colour::brown, hair_colour::black})
+    pigments.emplace_back(melanin_of<float>(c));
+  double worst = 0.0;
+  for (const bsdf_model model : models) {
+    for (const std::optional<melanin<float>>& pigment : pigments) {
+      CAPTURE(static_cast<int>(model));
+      CAPTURE(pigment ? pigment->eumelanin : -1.0F);
+      const frame_settings settings = lit_by(model, pigment);
+      const std::optional<device_frame> got = draw(settings);
+      if (!got) return;
+      const double apart = compare(got->picture, drawn_here(settings)).rms;
+      CHECK(apart < rounding);
+      worst = std::max(worst, apart);
+    }
+  }
+  MESSAGE("largest difference: ", worst);
+}
+
+TEST_CASE("A fibre a little different differs by more than rounding") {
+  for (const bsdf_model model : models) {
+    if (model == bsdf_model::kajiya_kay) continue;  // of all this it has the pigment alone
+    const frame_settings settings = lit_by(model);
+    const image expected = drawn_here(settings);
+    std::vector<fibre_look> others(4, settings.look);
+    others[0].eta += 0.05F;
+    others[1].beta_m += 0.02F;
+    others[2].tilt += 1.0F;
+    others[3].pigment->eumelanin += 0.02F;
+    if (model != bsdf_model::marschner) {
+      others.push_back(settings.look);
+      others.back().beta_n += 0.05F;
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      CAPTURE(static_cast<int>(model));
+      CAPTURE(i);
+      frame_settings other = settings;
+      other.look = others[i];
+      const std::optional<device_frame> got = draw(other);
+      if (!got) return;
+      CHECK(compare(got->picture, expected).rms > 2.0 * rounding);
+    }
+  }
+}
+
+TEST_CASE("Every model has the processor's shadows, whatever the maps keep and the pixels are made of") {
+  for (const bsdf_model model : models) {
+    for (const blend_method blend :
+         {blend_method::k_buffer, blend_method::order_weighted, blend_method::depth_peeling}) {
+      CAPTURE(static_cast<int>(model));
+      CAPTURE(static_cast<int>(blend));
+      frame_settings settings = lit_by(model);
+      settings.shadow.method = shadow_method::occupancy;
+      settings.blend.method = blend;
+      const std::optional<device_frame> got = draw(settings);
+      if (!got) return;
+      CHECK(compare(got->picture, drawn_here(settings)).rms < 0.001);  // as maps alone differ
+    }
+  }
+}
+
+TEST_CASE("Without shadows, without translucency and by any lights") {
+  for (const bsdf_model model : models) {
+    for (const components shown : {components::single, components::shadows, components::translucency}) {
+      CAPTURE(static_cast<int>(model));
+      CAPTURE(static_cast<int>(shown));
+      frame_settings settings = lit_by(model);
+      settings.shown = shown;
+      settings.lights = {{light_kind::point, {1.5F, 0.6F, 1.2F}, glm::vec3(0.0F), glm::vec3(0.7F)},
+                         {light_kind::directional, glm::vec3(0.0F), {0.3F, -0.2F, 1.0F}, {0.5F, 0.4F, 0.3F}}};
+      const std::optional<device_frame> got = draw(settings);
+      if (!got) return;
+      CHECK(compare(got->picture, drawn_here(settings)).rms < rounding);
+    }
+  }
+}
+
+TEST_CASE("Dual scattering's picture is the same for every structure, order of segments and frame") {
+  std::optional<std::uint64_t> first;
+  for (const order_method order : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,
+                                   order_method::atomic_k_buffer, order_method::two_pass_k_buffer}) {
+    CAPTURE(static_cast<int>(order));
+    frame_settings settings = lit_by(bsdf_model::dual_scattering);
+    settings.order = order;
+    settings.shuffle = static_cast<std::uint64_t>(order);
+    const std::optional<device_frame> got = draw(settings, 5);
+    if (!got) return;
+    CHECK(got->same == got->frames);
+    if (!first) first = got->hash;
+    CHECK(got->hash == *first);
+  }
+}
+
+TEST_CASE("A texel's count of fibres stops at 4096 and does not begin anew") {
+  // Faint bars that fill the picture, lit through each other.
+  std::vector<std::vector<glm::vec3>> bars(4300, {{-2.0F, 0.0F, 0.0F}, {2.0F, 0.0F, 0.0F}});
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    for (glm::vec3& p : bars[i])
+      p.z = -1e-4F * static_cast<float>(i);
+  }
+  const hair_model model = model_of(bars, 1.5F, 2e-4F);
+  for (const shadow_method shadow : {shadow_method::k_buffer, shadow_method::occupancy}) {
+    CAPTURE(static_cast<int>(shadow));
+    frame_settings settings;
+    settings.width = 8;
+    settings.height = 8;
+    settings.map_size = 4;
+    settings.from = glm::vec2(0.0F);
+    settings.shading_spacing = std::numeric_limits<float>::infinity();
+    settings.look.model = bsdf_model::dual_scattering;
+    settings.look.pigment = melanin_of<float>(hair_colour::brown);
+    settings.shadow.method = shadow;
+    settings.lights = {{light_kind::directional, glm::vec3(0.0F), {0.0F, 0.0F, 1.0F}, glm::vec3(3.0F)}};
+    const std::optional<device_frame> got = draw(settings, 1, model);
+    if (!got) return;
+    CHECK(compare(got->picture, drawn_here(settings, model)).rms < 0.001);
+  }
+}
+
+TEST_CASE("A look out of its range is refused for every model") {
+  for (const bsdf_model model : models) {
+    frame_settings settings = lit_by(model);
+    settings.look.eta = 0.5F;
+    try {
+      (void)draw(settings);
+      CHECK(std::getenv("PELAGE_DEVICE_REQUIRED") == nullptr);
+    } catch (const std::invalid_argument& e) {
+      CHECK(std::string(e.what()).find("index of refraction") != std::string::npos);
+    }
+  }
+}
+
+}  // namespace pelage::test
