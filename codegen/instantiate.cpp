@@ -16,6 +16,7 @@
 #include <pelage/bsdf/chiang_sampling.hpp>
 #include <pelage/bsdf/dual_scattering.hpp>
 #include <pelage/bsdf/dual_scattering_table.hpp>
+#include <pelage/bsdf/fibre_albedo.hpp>
 #include <pelage/bsdf/fibre_hit.hpp>
 #include <pelage/bsdf/fresnel.hpp>
 #include <pelage/bsdf/hair_parameters.hpp>
@@ -26,6 +27,7 @@
 #include <pelage/bsdf/marschner.hpp>
 #include <pelage/bsdf/marschner_table.hpp>
 #include <pelage/bsdf/passage.hpp>
+#include <pelage/bsdf/renderer_parameters.hpp>
 #include <pelage/bsdf/scattering_roots.hpp>
 #include <pelage/composite/atomic_tail.hpp>
 #include <pelage/composite/depth_peeling.hpp>
@@ -285,6 +287,20 @@ template vec3 out_of_frame(const fibre_frame<float>&, const vec3&) noexcept;
 template vec3 axial_passage(float, const colour&, float) noexcept;
 template vec3 mean_passage<4>(float, const colour&, float) noexcept;
 template vec3 mean_passage<3>(float, const colour&, float) noexcept;
+template float fibre_albedo(float, float, float) noexcept;
+template float absorption_from_fibre_albedo(float, float) noexcept;
+template chiang_parameters<float> chiang_from_pbrt(const pbrt_hair<float>&) noexcept;
+template pbrt_hair<float> pbrt_from_chiang(const chiang_parameters<float>&) noexcept;
+template std::array<materialx_lobe<float>, 3> materialx_roughness(float, float, float, float) noexcept;
+template colour materialx_absorption_from_melanin(float, float) noexcept;
+template float materialx_absorption_from_colour(float, float) noexcept;
+template chiang_fibre<float> chiang_from_materialx(const materialx_hair<float>&) noexcept;
+template materialx_hair<float> materialx_from_chiang(const chiang_parameters<float>&) noexcept;
+template float cycles_roughness(float, float, float) noexcept;
+template colour cycles_absorption_from_melanin(float, float, float, float) noexcept;
+template float cycles_absorption_from_colour(float, float) noexcept;
+template chiang_fibre<float> chiang_from_cycles(const cycles_hair<float>&) noexcept;
+template cycles_hair<float> cycles_from_chiang(const chiang_parameters<float>&) noexcept;
 template scattering_roots<float> find_scattering_roots(int, float, float) noexcept;
 template caustic_point<float> find_caustic(float) noexcept;
 template float azimuth_derivative(int, float, float) noexcept;
