@@ -12,13 +12,14 @@ BLENDS = [("K = 16 over its tail", ["--k", "16"]), ("K = 16, no tail", ["--k", "
 def translucency(room):
     """Fig. 8: no shadows, a random colour a fibre; each blending and its difference from sorted lists."""
     size, strands = ("64", "300") if room.quick else ("320", "20000")
-    crop = None if room.quick else (90, 100, 230, 240)
+    crop = None if room.quick else (112, 42, 252, 182)
     for width, (antialias, words) in WIDTHS.items():
         rows = []
         for alpha in ALPHAS:
             name = f"translucency-{width}-{alpha}"
             common = ["--strands", strands, "--size", size, "--components", "translucency", "--fibre-colours",
-                      "random", "--aa", antialias, "--alpha", alpha]
+                      "random", "--aa", antialias, "--alpha", alpha, "--from", "200,8", "--lights",
+                      "directional:-0.3,0.6,-0.9:0.7,0.7,0.7"]
             truth, _ = room.frame(f"{name}-exact", *common, "--blend", "exact")
             row = [(f"sorted, alpha {alpha}", tile(truth, crop))]
             for i, (title, options) in enumerate(BLENDS):
