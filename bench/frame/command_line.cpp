@@ -21,6 +21,7 @@ const std::map<std::string, order_method> order_names{{"k_buffer", order_method:
                                                       {"ordered_list", order_method::ordered_list},
                                                       {"atomic_k_buffer", order_method::atomic_k_buffer},
                                                       {"split_k_buffer", order_method::split_k_buffer},
+                                                      {"partial_selection_sort", order_method::partial_selection_sort},
                                                       {"selection_sort", order_method::selection_sort},
                                                       {"full_sort", order_method::full_sort}};
 const std::map<std::string, components> component_names{{"single", components::single},

@@ -20,7 +20,8 @@ using namespace frame;
 
 constexpr order_method methods[]{order_method::k_buffer,       order_method::a_buffer,
                                  order_method::ordered_list,   order_method::atomic_k_buffer,
-                                 order_method::split_k_buffer, order_method::selection_sort};
+                                 order_method::split_k_buffer, order_method::partial_selection_sort,
+                                 order_method::selection_sort};
 
 /// Hair so thick that no pixel of it keeps all its fragments at K = 4, and all do at K = 64.
 const hair_model& small_hair() {

@@ -78,8 +78,9 @@ TEST_CASE("neither threads nor drawing order nor the choice of structure changes
       CHECK(first.passes.size() == (has_shadows(shown) ? 3 : 1));
       CHECK(longest(first) > 4 * settings.k);
       std::uint64_t seed = 0;
-      for (const order_method method : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,
-                                        order_method::atomic_k_buffer, order_method::split_k_buffer}) {
+      for (const order_method method :
+           {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list, order_method::atomic_k_buffer,
+            order_method::split_k_buffer, order_method::partial_selection_sort}) {
         for (const int threads : {1, 2, 4}) {
           CAPTURE(static_cast<int>(method));
           CAPTURE(threads);
@@ -143,7 +144,7 @@ TEST_CASE("the structures at a K that holds every fragment, and sorting by selec
     CHECK(longest(truth) > 4);
     for (const order_method method :
          {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list, order_method::atomic_k_buffer,
-          order_method::split_k_buffer, order_method::selection_sort}) {
+          order_method::split_k_buffer, order_method::partial_selection_sort, order_method::selection_sort}) {
       CAPTURE(static_cast<int>(method));
       settings.order = method;
       const frame_result frame = draw(thin, settings);

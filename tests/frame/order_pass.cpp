@@ -22,8 +22,8 @@ using namespace frame;
 
 constexpr std::array all_methods{order_method::k_buffer,       order_method::a_buffer,
                                  order_method::ordered_list,   order_method::atomic_k_buffer,
-                                 order_method::split_k_buffer, order_method::selection_sort,
-                                 order_method::full_sort};
+                                 order_method::split_k_buffer, order_method::partial_selection_sort,
+                                 order_method::selection_sort, order_method::full_sort};
 
 bool keeps_all(order_method method) {
   return method == order_method::selection_sort || method == order_method::full_sort;

@@ -80,10 +80,15 @@ void resolve_ordered_lists(order_job& work, const list_memory& memory, std::uint
   work.report.resolve_seconds = watch.lap();
 }
 
-void selection_sort(std::vector<fragment>& list) {
-  for (std::size_t i = 0; i < list.size(); ++i) {
+/// Puts the first `rounds` fragments of the total order first, one a round. [Yang10]
+void select(std::vector<fragment>& list, std::size_t rounds) {
+  for (std::size_t i = 0; i < rounds; ++i) {
     std::swap(list[i], *std::min_element(list.begin() + static_cast<std::ptrdiff_t>(i), list.end(), before));
   }
+}
+
+void selection_sort(std::vector<fragment>& list) {
+  select(list, list.size());
 }
 
 void library_sort(std::vector<fragment>& list) {
@@ -118,6 +123,19 @@ void run_ordered_list(order_job& work, std::uint32_t k) {
   work.report.behind = memory.beyond(k);
   build_ordered_lists(work, memory, k);
   resolve_ordered_lists(work, memory, k);
+}
+
+void run_partial_selection_sort(order_job& work, std::uint32_t k) {
+  list_memory memory(work, 1);
+  work.report.behind = memory.beyond(k);
+  build_a_buffer(work, memory);
+  resolve_a_buffer(work, memory, [k](std::vector<fragment>& all, pixel_resolver& pixel) {
+    const std::size_t kept = std::min(all.size(), std::size_t{k});
+    select(all, kept);
+    pixel.lost.assign(all.begin() + static_cast<std::ptrdiff_t>(kept), all.end());
+    all.resize(kept);
+    pixel.nearest.swap(all);
+  });
 }
 
 void run_selection_sort(order_job& work) {

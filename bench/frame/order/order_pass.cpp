@@ -39,6 +39,9 @@ order_report run_order_pass(const raster& from, std::span<const float> limit, co
     case order_method::split_k_buffer:
       run_split_k_buffer(work, options.k);
       break;
+    case order_method::partial_selection_sort:
+      run_partial_selection_sort(work, options.k);
+      break;
     case order_method::selection_sort:
       run_selection_sort(work);
       break;

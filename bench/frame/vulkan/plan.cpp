@@ -58,6 +58,12 @@ plan plan_by_order(const frame_settings& s, bool camera) {
       p.lists = 1;
       p.slots = s.k;
       return p;
+    case order_method::partial_selection_sort:
+      p.clear = {counts};
+      p.build = runs;
+      p.runs = true;
+      p.finish = {{"resolve_partial_" + sink, over::pixels}};
+      return p;
     case order_method::selection_sort:
       p.clear = {counts};
       p.build = runs;
