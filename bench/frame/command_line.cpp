@@ -109,7 +109,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
       app.add_option(
              "--tail", c.tail,
              "what k_buffer's blending keeps of what is not among the K nearest: mean, none, or sliced:N for the "
-             "mean of each of N slices of depth, 2, 4, 8 ... 64; on the CPU alone")
+             "mean of each of N slices of depth, 2, 4, 8 ... 64, on the CPU alone")
           ->capture_default_str();
   app.add_option("--components", shown, "what is drawn")
       ->check(CLI::IsMember(names(component_names)))
@@ -171,7 +171,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   if (tail->count() > 0 && s.blend.method != blend_method::k_buffer) {
     throw std::invalid_argument("--tail needs --blend k_buffer");
   }
-  if (c.on_device && s.tails != 1) throw std::invalid_argument("--tail: --device vulkan keeps the mean");
+  if (c.on_device && s.tails > 1) throw std::invalid_argument("--tail: --device vulkan keeps the mean or none");
   check_drawn_on(c.on_device, spacing, s.shading_spacing, frames, c.turn != 0.0F);
   for (const std::string& text : lights)
     s.lights.push_back(parse_light(text));

@@ -99,6 +99,25 @@ TEST_CASE("Every structure draws one picture, in every frame") {
   }
 }
 
+TEST_CASE("Truncated, every structure draws the processor's one picture, and what lies behind K is lost") {
+  std::optional<std::uint64_t> first;
+  for (const order_method order : methods) {
+    if (order == order_method::selection_sort) continue;  // it loses nothing
+    CAPTURE(static_cast<int>(order));
+    frame_settings settings = small_frame(order, 4);
+    settings.tails = 0;
+    const std::optional<device_frame> got = draw(settings);
+    if (!got) return;
+    if (!first) {
+      const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
+      CHECK(compare(got->picture, expected.picture).rms < 0.001);
+      CHECK(compare(got->picture, draw(small_frame(order, 4))->picture).rms > 0.05);
+      first = got->hash;
+    }
+    CHECK(got->hash == *first);
+  }
+}
+
 TEST_CASE("Where K holds all fragments the picture is that of sorted lists") {
   const std::optional<device_frame> sorted = draw(small_frame(order_method::selection_sort, 64));
   if (!sorted) return;

@@ -17,6 +17,7 @@ constexpr std::uint32_t any_k[]{4, 8, 16, 32, 64};  ///< that resolving kernels 
 plan plan_by_order(const frame_settings& s, bool camera) {
   const std::string sink = camera ? "camera" : "light";
   const std::string k = std::to_string(s.k);
+  const std::string tail = camera && s.tails == 0 ? "_truncated" : "";
   const plan::clearing counts{"counts", count_buffer, 0};
   const plan::clearing links{"links", link_buffer, 0xffffffffU};
   const std::vector<plan::pass> runs{{"count", over::segments}, {"allocate", over::pixels}, {"scatter", over::stamps}};
@@ -29,32 +30,32 @@ plan plan_by_order(const frame_settings& s, bool camera) {
       p.clear = {counts};
       p.build = records;
       p.runs = true;
-      p.finish = {{"select_" + sink + "_" + k, over::subgroups}};
+      p.finish = {{"select_" + sink + "_" + k + tail, over::subgroups}};
       p.records = true;
       return p;
     case order_method::a_buffer:
       p.clear = {links};
       p.build = {{"push", over::segments}};
-      p.finish = {{"resolve_lists_" + sink + "_" + k, over::pixels}};
+      p.finish = {{"resolve_lists_" + sink + "_" + k + tail, over::pixels}};
       p.lists = 1;
       return p;
     case order_method::ordered_list:
       p.clear = {links};
       p.build = {{"insert_ordered", over::segments}};
-      p.finish = {{"resolve_ordered_" + sink, over::pixels}};
+      p.finish = {{"resolve_ordered_" + sink + tail, over::pixels}};
       p.lists = 2;
       return p;
     case order_method::atomic_k_buffer:
       p.clear = {links};
       p.build = {{"clear_slots_" + k, over::pixels}, {"insert_atomic_" + k, over::segments}};
-      p.finish = {{"resolve_slots_" + sink + "_" + k, over::pixels}};
+      p.finish = {{"resolve_slots_" + sink + "_" + k + tail, over::pixels}};
       p.lists = 1;
       p.slots = s.k;
       return p;
     case order_method::split_k_buffer:
       p.clear = {links, {"slots", slot_buffer, 0xffffffffU}};
       p.build = {{"offer_depths_" + k, over::segments}, {"insert_ids_" + k, over::segments}};
-      p.finish = {{"resolve_split_" + sink + "_" + k, over::pixels}};
+      p.finish = {{"resolve_split_" + sink + "_" + k + tail, over::pixels}};
       p.lists = 1;
       p.slots = s.k;
       return p;
@@ -62,7 +63,7 @@ plan plan_by_order(const frame_settings& s, bool camera) {
       p.clear = {counts};
       p.build = runs;
       p.runs = true;
-      p.finish = {{"resolve_partial_" + sink, over::pixels}};
+      p.finish = {{"resolve_partial_" + sink + tail, over::pixels}};
       return p;
     case order_method::selection_sort:
       p.clear = {counts};

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // The picture from the camera's runs: the K nearest fragments of each pixel in order, the rest as one layer behind
-// them, over the background. In: runs, counts, records, shaded, edges, picture. Out: picture. One subgroup a
+// them, or with TRUNCATED nowhere, over the background. In: runs, counts, records, shaded, edges, picture. Out: picture. One subgroup a
 // pixel; bounded by the scattered loads of the radiance at the two ends of each fragment's segment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -70,6 +70,7 @@ void main() {
   const uint held = pelage_group_select_held(nearest);
   sink_begin(at, false);
   add_nearest(held);
+#ifndef TRUNCATED
   if (end - begin > held) {
     for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
       const uvec4 record = records[i];
@@ -82,6 +83,7 @@ void main() {
       sink_behind = sum_over_lanes(sink_behind);
     }
   }
+#endif
   if (subgroupElect()) {
     sink_finish(at);
   }
