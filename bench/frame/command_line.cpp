@@ -32,6 +32,9 @@ const std::map<std::string, pixel_footprint> footprint_names{{"inscribed", pixel
                                                              {"equal_area", pixel_footprint::equal_area},
                                                              {"yu", pixel_footprint::yu}};
 
+const std::map<std::string, map_lookup> lookup_names{{"filtered", map_lookup::filtered},
+                                                     {"jittered", map_lookup::jittered}};
+
 /// Reads all of "640x480" or "640".
 void read_size(const std::string& text, frame_settings& settings) {
   const auto number = [&](const std::string& part) {
@@ -68,6 +71,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   std::string shown = name_of(s.shown);
   std::string antialias = "on";
   std::string footprint = name_in(footprint_names, s.footprint);
+  std::string lookup = name_in(lookup_names, s.lookup);
   std::string device = "cpu";
   std::vector<std::string> lights;
   std::vector<float> from;
@@ -98,6 +102,12 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
          "--shadow", c.shadow,
          "what a light's map keeps: k_buffer, occupancy, opacity:N, deep_opacity:N or deep_opacity_growing:N "
          "with N layers, 4, 8 ... 256, deep:ERR with the greatest error, or exact; --k and --order are k_buffer's")
+      ->capture_default_str();
+  app.add_option(
+         "--lookup", lookup,
+         "how fibres read the lights' maps: filtered, the mean of four texels, or jittered, one of a place moved by "
+         "up to half a texel")
+      ->check(CLI::IsMember(names(lookup_names)))
       ->capture_default_str();
   app.add_option("--blend", c.blend,
                  "how fragments become a pixel: k_buffer, exact, order_weighted, weighted_average, weighted_blended, "
@@ -164,6 +174,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   s.shown = component_names.at(shown);
   s.antialias = antialias == "on";
   s.footprint = footprint_names.at(footprint);
+  s.lookup = lookup_names.at(lookup);
   read_look(look, s.look);
   s.on_bust = c.hair.empty();
   c.random_colours = fibre_colours == "random";

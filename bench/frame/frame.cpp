@@ -39,7 +39,7 @@ frame_result draw_frame(const stage& set, const frame_settings& settings,
   const order_options options{settings.order, settings.k, set.drawing_order};
 
   frame_result result;
-  scene world{fibres, set.opaque, {}, set.round, set.sky, make_bsdf(set, settings.look)};
+  scene world{fibres, set.opaque, {}, set.round, set.sky, make_bsdf(set, settings.look), settings.lookup};
   const double passes = static_cast<double>(set.lights.size() + 1);
 
   for (std::size_t i = 0; i < set.lights.size(); ++i) {

@@ -28,6 +28,7 @@ struct frame_settings {
   order_method order = order_method::k_buffer;
   std::uint32_t k = 16;  ///< one of compiled_k
   shadow_choice shadow;
+  map_lookup lookup = map_lookup::filtered;  ///< of fibres in the lights' maps
   blend_choice blend;
   std::uint32_t tails = 1;  ///< a pixel's, of k_buffer's blending, [0, 256]: 0 loses what is behind the K nearest, 1
                             ///< keeps its mean, more keep one a slice of the depths that are seen

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "frame/shading/scene.hpp"
 
+#include <pelage/core/mixed_bits.hpp>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <limits>
 
@@ -11,6 +14,13 @@ namespace pelage::frame {
 namespace {
 
 constexpr float sky_share = 0.30F;  ///< of the sky's light, what reaches every fibre through the others
+
+/// A place's own number, a strand's point having one for both of its segments.
+std::uint32_t seed_of(const strands& fibres, std::uint32_t segment, float along) {
+  const bool is_next = along == 1.0F;
+  const std::uint32_t point = fibres.segment[segment] + (is_next ? 1U : 0U);
+  return mixed_bits(point + mixed_bits(std::bit_cast<std::uint32_t>(is_next ? 0.0F : along)));
+}
 
 }  // namespace
 
@@ -21,7 +31,8 @@ struct scene::places {
   wide radius;
   fibre_place_of<wide> fibre;
   wide3 sent;
-  shadow_map::spots spots;  ///< in the map of one light after the other
+  std::array<std::uint32_t, wide_width> seed;  ///< of the place, for jittered look-ups
+  shadow_map::spots spots;                     ///< in the map of one light after the other
 };
 
 scene::places scene::places_at(std::span<const lit_place> at) const {
@@ -30,6 +41,7 @@ scene::places scene::places_at(std::span<const lit_place> at) const {
   wide3_builder colour;
   wide3_builder to_eye;
   wide3_builder opacity_and_radius;
+  std::array<std::uint32_t, wide_width> seed{};
   for (std::size_t i = 0; i < at.size(); ++i) {
     const auto& [segment, along, eye] = at[i];
     const int k = static_cast<int>(i);
@@ -37,6 +49,7 @@ scene::places scene::places_at(std::span<const lit_place> at) const {
     tangent.set(k, fibres.mix(fibres.tangent, segment, along));
     colour.set(k, fibres.mix(fibres.colour, segment, along));
     to_eye.set(k, eye);
+    if (lookup == map_lookup::jittered) seed[i] = seed_of(fibres, segment, along);
     opacity_and_radius.set(
         k, {fibres.mix(fibres.opacity, segment, along), fibres.mix(fibres.radius, segment, along), 0.0F});
   }
@@ -46,6 +59,7 @@ scene::places scene::places_at(std::span<const lit_place> at) const {
           scalars.y,
           {unit_vector(tangent.done()), to_eye.done(), colour.done(), scalars.x},
           {},
+          seed,
           {}};
 }
 
@@ -71,7 +85,10 @@ void scene::fibre_radiance(std::span<const lit_place> asked, std::span<glm::vec3
 void scene::light(const lit& l, std::span<places> all) const {
   if (l.shadow) {
     for (places& p : all) {
-      p.spots = l.shadow->find_on_fibres(p.position, p.fibre.tangent, wide(2.0F) * p.radius, p.set);
+      const wide width = wide(2.0F) * p.radius;
+      p.spots = lookup == map_lookup::jittered
+                    ? l.shadow->find_jittered_on_fibres(p.position, p.fibre.tangent, width, p.seed, p.set)
+                    : l.shadow->find_on_fibres(p.position, p.fibre.tangent, width, p.set);
       l.shadow->prefetch(p.spots, 0);
     }
     for (const places& p : all)

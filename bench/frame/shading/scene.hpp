@@ -36,6 +36,7 @@ struct scene {
   sphere bounds;  ///< of the fibres
   glm::vec3 sky;  ///< radiance from all sides, linear RGB
   fibre_bsdf bsdf;
+  map_lookup lookup = map_lookup::filtered;  ///< of fibres in the lights' maps
 
   /// Radiance of a fibre toward `to_eye` (unit) at a place on a segment, linear RGB.
   [[nodiscard]] glm::vec3 fibre_radiance(std::uint32_t segment, float along, const glm::vec3& to_eye) const;

@@ -24,6 +24,12 @@ struct passage_of {
 };
 using passage = passage_of<float>;
 
+/// How a place on a fibre reads a map.
+enum class map_lookup {
+  filtered,  ///< the mean of the four nearest texels, weighted bilinearly
+  jittered   ///< one texel, of the place moved by up to half a texel [Sintorn & Assarsson 2009, §3.3]
+};
+
 /// What passes from a light to any point. What a texel keeps of its fibres is up to the method, shadows/; all share
 /// where a point is looked up, the depth of the nearest opaque object, and how many fibres an optical depth stands for.
 class shadow_map {
@@ -49,11 +55,18 @@ class shadow_map {
     wide depth;                                   ///< of the receiver in the upper left texel,
     wide growth_across, growth_down;              ///< and how much deeper it lies in the next ones
     bool among_fibres;                            ///< objects stop no light there: their own surfaces
+    bool is_one_texel;                            ///< the upper left alone, and `depth` is there
   };
 
-  /// Of the positions whose bits are set. They lie on fibres along `tangent`: in each texel only what lies `bias`
-  /// before the fibre's own depth there counts, so that it does not shadow itself.
+  /// Of the positions whose bits are set, filtered. They lie on fibres along `tangent`: in each texel only what lies
+  /// `bias` before the fibre's own depth there counts, so that it does not shadow itself.
   [[nodiscard]] spots find_on_fibres(const wide3& world, const wide3& tangent, wide bias, std::uint32_t set) const;
+
+  /// The same in one texel: that of the position moved by lookup_jitter() of its lane's seed. A seed that is the
+  /// place's own makes noise that is the same in every frame, by any number of threads.
+  [[nodiscard]] spots find_jittered_on_fibres(const wide3& world, const wide3& tangent, wide bias,
+                                              const std::array<std::uint32_t, wide_width>& seed,
+                                              std::uint32_t set) const;
 
   /// The same on opaque objects' surfaces with a unit normal, without what the objects themselves hide: the four texels
   /// know of it too little to tell a surface from the one beside it.
@@ -102,6 +115,11 @@ class shadow_map {
 
   /// What light passes to each spot in one of its four texels: transmittance, fibres, open.
   [[nodiscard]] wide3 passed_in(const spots& at, std::size_t offset, wide depth) const;
+
+  /// The lanes whose pixel coordinates and depth lie in the map; the borders belong to it. A NaN is nowhere.
+  [[nodiscard]] std::uint32_t inside(const wide2& pixel, wide depth) const;
+
+  [[nodiscard]] wide2 slope_on_fibre(const wide3& seen, const wide3& tangent) const;
 
   [[nodiscard]] wide3 ray_to(const wide3& seen) const;
 

@@ -45,6 +45,7 @@ session::session(const stage& set, const frame_settings& settings)
       set_(set),
       k_(settings.k),
       shadows_(has_shadows(settings.shown)),
+      lookup_(settings.lookup == map_lookup::jittered ? "_jittered" : ""),
       light_plan_(plan_of(settings, false)),
       camera_plan_(plan_of(settings, true)),
       shading_(shading_kernel(settings.look)),
@@ -261,7 +262,7 @@ void session::finish(const view_range& views) {
   const plan& p = plan_for(views.first);
   if (views.first == camera()) {
     const std::string maps = light_plan_.maps ? "_occupancy" : "";
-    run(frame_, views, {{shading_ + maps, over::points}, {"background" + maps, over::pixels}});
+    run(frame_, views, {{shading_ + maps + lookup_, over::points}, {"background" + maps, over::pixels}});
     frame_.steps.back().beside = true;
     frame_.names.back().pass = (frame_.names.end() - 2)->pass = "shade, background";
   }

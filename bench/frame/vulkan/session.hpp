@@ -98,6 +98,7 @@ class session {
   const stage& set_;
   std::uint32_t k_;
   bool shadows_;
+  std::string lookup_;  ///< at the end of the name of the kernel that lights fibres
   plan light_plan_;
   plan camera_plan_;
   std::string shading_;  ///< the kernel, less what its name says of the maps

@@ -4,6 +4,7 @@
 // have it.
 #ifndef PELAGE_FRAME_LIGHTING_GLSL
 #define PELAGE_FRAME_LIGHTING_GLSL
+#include "pelage/glsl/visibility/lookup_jitter.glsl"
 #include "pelage/glsl/visibility/receiver.glsl"
 #include "projection.glsl"
 #ifdef OCCUPANCY
@@ -93,6 +94,23 @@ float transmittance_in(map_square s, bool among_fibres) {
 
 float transmittance_to_fibre(uint l, vec3 world, vec3 tangent, float radius) {
   return transmittance_in(square_at_fibre(l, world, tangent, radius), false);
+}
+
+/// The same in the one texel that holds the position moved by lookup_jitter().
+float jittered_transmittance_to_fibre(uint l, vec3 world, vec3 tangent, float radius, uint seed) {
+  const vec3 p = to_view(l, world);
+  const float depth = -p.z - 2.0 * radius;
+  const vec2 pixel = to_pixel(l, p);
+  const vec2 size = vec2(scene.views[l].size);
+  const bool is_in_map = all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThanEqual(pixel, size));
+  if (!(is_in_map && depth > scene.views[l].near_plane)) {
+    return 1.0;
+  }
+  const vec2 texel = min(floor(max(pixel + pelage_lookup_jitter(seed), 0.0)), size - 1.0);
+  const vec2 slope = pelage_line_depth_slope(ray_to(l, p), direction_to_view(l, tangent), steepest);
+  const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
+  const uint place = scene.views[l].first_pixel + uint(texel.y) * uint(size.x) + uint(texel.x);
+  return transmittance_at(place, depth + dot(texel + 0.5 - pixel, growth), false);
 }
 
 /// The same of a point on an object's surface, without what objects hide.

@@ -41,6 +41,16 @@ float transmittance_behind(texel t, uint before, float depth, bool among_fibres)
   return pelage_transmittance_of(optical_before(t, before, depth));
 }
 
+float transmittance_at(uint pixel, float depth, bool among_fibres) {
+  const texel t = texel_in(pixel);
+  uint before = 0u;
+  for (uint stride = t.held > 0u ? 1u << uint(findMSB(t.held)) : 0u; stride > 0u; stride /= 2u) {
+    const uint next = before + stride;
+    before = next <= t.held && entry_depth(t.first + next - 1u) < depth ? next : before;
+  }
+  return transmittance_behind(t, before, depth, among_fibres);
+}
+
 /// A square of four texels, by rows, and how many entries of each lie before a depth. All four are searched at once: a
 /// search waits for each of its loads, and so four wait together. Behind a texel's last entry there is nothing to
 /// search.

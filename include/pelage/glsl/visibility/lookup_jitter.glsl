@@ -8,8 +8,9 @@
 
 /// An offset for a look-up in a map, in texels, [-½, ½) on each axis: added to the place that a fragment looks up, it
 /// turns the steps between texels into noise of half a texel, where filtering would read four. [Sintorn & Assarsson
-/// 2009, §3.3] Even over the square; the same for the same seed, so
-/// name what does not change from frame to frame, such as a fragment's id mixed with its pixel's number.
+/// 2009, §3.3] Even over the square, so that the texel it leads to is each of the four round the place as often as
+/// bilinear filtering weighs it: the mean over many seeds is the filtered value. The same for the same seed: name what
+/// does not change from frame to frame, such as a fragment's id mixed with its pixel's number.
 precise vec2 pelage_lookup_jitter(uint seed) {
   const uint x = pelage_mixed_bits(seed + 0x9e3779b9u);
   const uint y = pelage_mixed_bits(x + 0x9e3779b9u);
