@@ -1,0 +1,236 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+#include <pelage/composite/optical_depth.hpp>
+#include <pelage/composite/power_moments.hpp>
+
+#include "composite/layers.hpp"
+#include "composite/moment_oracle.hpp"
+#include "property.hpp"
+#include "visibility/cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace pelage::test {
+
+static_assert(sizeof(power_moments<4>) == 20 && sizeof(power_moments<6>) == 28 && sizeof(power_visibility) == 32);
+
+template <std::uint32_t N>
+power_moments<N> moments_of(const std::vector<absorber>& all) {
+  auto moments = power_moments<N>::empty();
+  for (const absorber& each : all) {
+    moments.add(each.relative, each.amount);
+  }
+  return moments;
+}
+
+template <class Check>
+void for_both_orders(const Check& check) {
+  check.template operator()<4>();
+  check.template operator()<6>();
+}
+
+TEST_CASE("any order of fragments, any split into parts and any number of threads give the same bits") {
+  for_both_orders([]<std::uint32_t N>() {
+    holds("of N = " + std::to_string(N), [] {
+      const std::vector<absorber> all = draw_absorbers(0u, 60u);
+      std::vector<absorber> shuffled = all;
+      std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(*rc::gen::arbitrary<std::uint32_t>()));
+      const auto cut = static_cast<std::ptrdiff_t>(*rc::gen::inRange<std::size_t>(0u, all.size() + 1u));
+      auto parts = moments_of<N>({shuffled.begin(), shuffled.begin() + cut});
+      parts.merge(moments_of<N>({shuffled.begin() + cut, shuffled.end()}));
+      RC_ASSERT(parts.sum == moments_of<N>(all).sum);
+      for (std::uint32_t threads = 1u; threads <= 4u; threads *= 2u) {
+        using moments = power_moments<N>;
+        cells_of<shaken_cells> cells(3u * moments::cells, 0u);
+        deal_to_threads(threads, all.size(), [&](std::size_t i) {
+          atomic_moments::add(cells, 1u, moments::of(shuffled[i].relative, shuffled[i].amount));
+        });
+        RC_ASSERT(atomic_moments::load<moments>(cells, 1u).sum == parts.sum);
+        RC_ASSERT(atomic_moments::load<moments>(cells, 0u).sum == moments::empty().sum);
+        RC_ASSERT(atomic_moments::load<moments>(cells, 2u).sum == moments::empty().sum);
+      }
+    });
+  });
+}
+
+TEST_CASE("each sum is rounded by a unit a fragment and by the last digits of a float") {
+  for_both_orders([]<std::uint32_t N>() {
+    holds("of N = " + std::to_string(N), [] {
+      const std::vector<absorber> all = draw_absorbers(1u, 60u);
+      const auto moments = moments_of<N>(all);
+      for (std::uint32_t k = 0u; k <= N; ++k) {
+        long double exact = 0.0L;
+        long double amounts = 0.0L;
+        for (const absorber& each : all) {
+          exact += each.amount * (1.0L + std::cos(k * std::acos(position_of(each)))) / 2.0L;
+          amounts += each.amount;
+        }
+        const auto count = static_cast<long double>(all.size());
+        RC_ASSERT(std::abs(exact - moments.sum[k]) <= count + 1e-6L * amounts);
+      }
+    });
+  });
+}
+
+TEST_CASE("what lies before a fragment is within the bounds, and these never fall with depth") {
+  for_both_orders([]<std::uint32_t N>() {
+    holds("of N = " + std::to_string(N), [] {
+      const std::vector<absorber> all = draw_absorbers(1u, 40u);
+      const power_visibility told = moments_of<N>(all).visibility();
+      moment_bounds last{0.0f, 0.0f};
+      for (std::uint32_t i = 0u; i <= 64u; ++i) {
+        const float relative = static_cast<float>(i) / 64.0f;
+        const moment_bounds bounds = told.bounds_before(relative);
+        RC_ASSERT(passed(bounds.least) - passed(amount_before(all, relative)) > -1e-4);
+        RC_ASSERT(passed(bounds.most) - passed(amount_before(all, relative)) < 1e-4);
+        RC_ASSERT(passed(bounds.least) - passed(last.least) < 1e-4);
+        RC_ASSERT(passed(bounds.most) - passed(last.most) < 1e-4);
+        RC_ASSERT((bounds.least >= 0.0f && bounds.least <= bounds.most));
+        last = bounds;
+      }
+      for (const absorber& each : all) {
+        const double before = passed(amount_before(all, each.relative));
+        const moment_bounds bounds = told.bounds_before(each.relative);
+        RC_ASSERT(passed(bounds.least) - before > -1e-4);
+        RC_ASSERT(passed(bounds.most) - before < 1e-4);
+      }
+    });
+  });
+}
+
+TEST_CASE("each bound is had by some distribution that has the same moments") {
+  for_both_orders([]<std::uint32_t N>() {
+    holds("of N = " + std::to_string(N), [] {
+      // So many, and so far apart, that the moments tell them from fewer.
+      std::vector<absorber> all;
+      for (std::uint32_t i = 0u; i < 8u; ++i) {
+        all.push_back({i == 0u   ? 0.0f
+                       : i == 7u ? 1.0f
+                                 : (static_cast<float>(i) + 0.5f * draw_share()) / 7.5f,
+                       optical_depth(0.1f + 0.8f * draw_share())});
+      }
+      const float relative = 0.01f + 0.98f * draw_share();
+      const std::vector<node> nodes = representing_measure<N>(all, relative);
+      long double nearer = 0.0L;
+      long double amount = 0.0L;
+      for (std::uint32_t k = 0u; k <= N; ++k) {
+        long double of_nodes = 0.0L;
+        long double of_all = 0.0L;
+        for (const node& each : nodes)
+          of_nodes += each.weight * std::pow(each.position, k);
+        for (const absorber& each : all)
+          of_all += each.amount * std::pow(position_of(each), k);
+        RC_PRE(std::abs(nodes.back().position) < 50.0L && std::abs(nodes.front().position) < 50.0L);
+        RC_ASSERT(std::abs(of_nodes - of_all) < 1e-4L * std::abs(of_all) + 1e-4L * all.front().amount);
+        if (k == 0u) amount = of_all;
+      }
+      const long double here = nodes_at(nodes, relative);
+      for (const node& each : nodes) {
+        if (each.position < 2.0L * relative - 1.0L - 1e-9L) nearer += each.weight;
+      }
+      const moment_bounds bounds = moments_of<N>(all).visibility().bounds_before(relative);
+      RC_ASSERT(std::abs(bounds.least - nearer) < 2e-3L * amount);
+      RC_ASSERT(std::abs(bounds.most - nearer - here) < 2e-3L * amount);
+    });
+  });
+}
+
+TEST_CASE("a fragment alone, all at one depth, and the nearest have nothing before them, exactly") {
+  for_both_orders([]<std::uint32_t N>() {
+    holds("of N = " + std::to_string(N), [] {
+      const std::vector<absorber> all = draw_absorbers(1u, 20u);
+      auto together = power_moments<N>::empty();
+      for (const absorber& each : all)
+        together.add(0.0f, each.amount);
+      for (const absorber& each : all)
+        RC_ASSERT(together.visibility().amount_before_fragment(0.0f, each.amount) == 0.0f);
+      RC_ASSERT(moments_of<N>(all).visibility().amount_before_fragment(0.0f, all.front().amount) == 0.0f);
+      const power_visibility one = power_moments<N>::of(0.0f, all.front().amount).visibility();
+      RC_ASSERT(one.amount_before(0.0f) == 0.0f);
+      RC_ASSERT(one.amount == all.front().amount);
+    });
+  });
+}
+
+TEST_CASE("two fragments are told apart, and so are as many as half of N that are not near to each other") {
+  for_both_orders([]<std::uint32_t N>() {
+    holds("of N = " + std::to_string(N), [] {
+      std::vector<absorber> all{{0.0f, optical_depth(0.999f * draw_share())},
+                                {1.0f, optical_depth(0.999f * draw_share())}};
+      const power_visibility two = moments_of<N>(all).visibility();
+      RC_ASSERT(std::abs(passed(two.amount_before_fragment(1.0f, all[1].amount)) - passed(all[0].amount)) < 1e-4);
+      if (N == 6u) {
+        for (absorber& each : all)
+          each.amount = optical_depth(0.05f + 0.9f * draw_share());
+        all.push_back({0.2f + 0.6f * draw_share(), optical_depth(0.05f + 0.9f * draw_share())});
+        const power_visibility three = moments_of<N>(all).visibility();
+        for (const absorber& each : all) {
+          const float before = three.amount_before_fragment(each.relative, each.amount);
+          RC_ASSERT(std::abs(passed(before) - passed(amount_before(all, each.relative))) < 3e-3);
+        }
+      }
+    });
+  });
+}
+
+TEST_CASE("nothing, NaN and opaque fragments have a defined place") {
+  for_both_orders([]<std::uint32_t N>() {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto none = power_moments<N>::empty();
+    for (const float relative : {0.0f, 0.5f, 1.0f, nan}) {
+      CHECK(none.visibility().amount_before(relative) == 0.0f);
+      CHECK(power_moments<N>::of(relative, 0u).sum == none.sum);
+    }
+    CHECK(power_moments<N>::of(nan, 5u).sum == power_moments<N>::of(0.0f, 5u).sum);
+    CHECK(power_moments<N>::of(-3.0f, 5u).sum == power_moments<N>::of(0.0f, 5u).sum);
+    CHECK(power_moments<N>::of(7.0f, 5u).sum == power_moments<N>::of(1.0f, 5u).sum);
+    const std::uint32_t opaque = optical_depth(1.0f);
+    const std::uint32_t thin = optical_depth(0.01f);
+    const power_visibility hidden = moments_of<N>({{0.0f, opaque}, {1.0f, thin}}).visibility();
+    CHECK(transmittance_of(hidden.amount_before_fragment(1.0f, thin)) < 1e-9f);
+    CHECK(hidden.amount_before(nan) == 0.0f);
+    CHECK(hidden.amount_before(9.0f) == hidden.amount_before(1.0f));
+    // Sums that end.
+    auto full = power_moments<N>::empty();
+    for (std::uint32_t i = 0u; i < 300u; ++i)
+      full.add(static_cast<float>(i) / 299.0f, opaque);
+    CHECK(full.sum[0] == 0xffffffffu);
+    const moment_bounds bounds = full.visibility().bounds_before(0.5f);
+    CHECK((bounds.least >= 0.0f && bounds.most <= 4294967296.0f && bounds.least <= bounds.most));
+  });
+}
+
+TEST_CASE("roots of cubics with three real ones, and of quadratics, are found") {
+  holds("near and far", [] {
+    const auto draw = [] { return static_cast<double>(*rc::gen::inRange(-1000, 1001)) / 100.0; };
+    std::array<double, 3> truth{draw(), draw(), *rc::gen::arbitrary<bool>() ? draw() : 0.0};
+    const double c2 = -(truth[0] + truth[1] + truth[2]);
+    const double c1 = truth[0] * truth[1] + truth[1] * truth[2] + truth[2] * truth[0];
+    const double c0 = -truth[0] * truth[1] * truth[2];
+    const auto found = real_roots(static_cast<float>(c2), static_cast<float>(c1), static_cast<float>(c0));
+    // Each found one makes the polynomial vanish, as far as floats tell.
+    for (const float root : found) {
+      const double y = root;
+      const double size = std::abs(y * y * y) + std::abs(c2 * y * y) + std::abs(c1 * y) + std::abs(c0);
+      RC_ASSERT(std::abs(((y + c2) * y + c1) * y + c0) <= 1e-5 * size + 1e-7);
+    }
+    std::sort(truth.begin(), truth.end());
+    const double apart = std::min(truth[1] - truth[0], truth[2] - truth[1]);
+    if (apart > 1.0) {
+      std::array<float, 3> sorted = found;
+      std::sort(sorted.begin(), sorted.end());
+      for (std::size_t i = 0; i < 3u; ++i)
+        RC_ASSERT(std::abs(double{sorted[i]} - truth[i]) < 1e-3);
+    }
+  });
+}
+
+}  // namespace pelage::test
