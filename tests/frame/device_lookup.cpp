@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "frame/model/built_in.hpp"
 
@@ -25,9 +26,14 @@ TEST_CASE("By jittered look-ups a device's picture is the processor's except for
   settings.on_bust = true;
   settings.shading_spacing = std::numeric_limits<float>::infinity();  // as shaders light segments
   try {
-    for (const shadow_method shadow : {shadow_method::k_buffer, shadow_method::occupancy}) {
+    for (const auto& [shadow, model] : {std::pair{shadow_method::k_buffer, bsdf_model::kajiya_kay},
+                                        std::pair{shadow_method::occupancy, bsdf_model::kajiya_kay},
+                                        std::pair{shadow_method::k_buffer, bsdf_model::dual_scattering},
+                                        std::pair{shadow_method::occupancy, bsdf_model::chiang}}) {
       CAPTURE(static_cast<int>(shadow));
+      CAPTURE(static_cast<int>(model));
       settings.shadow.method = shadow;
+      settings.look.model = model;
       settings.lookup = map_lookup::jittered;
       const device_frame got = draw_frame_on_device(hair, settings, 3);
       CHECK(got.same == got.frames);

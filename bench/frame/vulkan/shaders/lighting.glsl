@@ -82,6 +82,38 @@ map_square square_at_fibre(uint l, vec3 world, vec3 tangent, float radius) {
   return square_at(l, p, slope, 2.0 * radius);
 }
 
+/// A square that weighs one texel alone: the one that holds the position moved by lookup_jitter().
+map_square jittered_square_at_fibre(uint l, vec3 world, vec3 tangent, float radius, uint seed) {
+  map_square s;
+  const vec3 p = to_view(l, world);
+  const float depth = -p.z - 2.0 * radius;
+  const vec2 pixel = to_pixel(l, p);
+  const vec2 size = vec2(scene.views[l].size);
+  s.is_inside = depth > scene.views[l].near_plane && all(greaterThanEqual(pixel, vec2(0.0))) &&
+                all(lessThanEqual(pixel, size));
+  if (s.is_inside) {
+    const vec2 texel = min(floor(max(pixel + pelage_lookup_jitter(seed), 0.0)), size - 1.0);
+    const vec2 corner = min(texel, size - 2.0);
+    const vec2 slope = pelage_line_depth_slope(ray_to(l, p), direction_to_view(l, tangent), steepest);
+    const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
+    const float there = depth + dot(corner + 0.5 - pixel, growth);
+    s.weight = texel - corner;
+    s.first = scene.views[l].first_pixel + uint(corner.y) * uint(size.x) + uint(corner.x);
+    s.below = s.first + uint(size.x);
+    s.depths = there + vec4(0.0, growth.x, growth.y, growth.x + growth.y);
+  }
+  return s;
+}
+
+/// Where the light of a strand's point is looked up.
+map_square square_at_point(uint l, uint i, vec3 tangent) {
+#ifdef JITTERED
+  return jittered_square_at_fibre(l, points[i].xyz, tangent, points[i].w, pelage_mixed_bits(i));
+#else
+  return square_at_fibre(l, points[i].xyz, tangent, points[i].w);
+#endif
+}
+
 /// The mean of what four texels hold, weighted bilinearly.
 float mean_in(map_square s, vec4 held) {
   return mix(mix(held.x, held.y, s.weight.x), mix(held.z, held.w, s.weight.x), s.weight.y);
@@ -92,25 +124,14 @@ float transmittance_in(map_square s, bool among_fibres) {
   return s.is_inside ? mean_in(s, transmittance_in(s.first, s.below, s.depths, among_fibres)) : 1.0;
 }
 
-float transmittance_to_fibre(uint l, vec3 world, vec3 tangent, float radius) {
-  return transmittance_in(square_at_fibre(l, world, tangent, radius), false);
-}
-
-/// The same in the one texel that holds the position moved by lookup_jitter().
-float jittered_transmittance_to_fibre(uint l, vec3 world, vec3 tangent, float radius, uint seed) {
-  const vec3 p = to_view(l, world);
-  const float depth = -p.z - 2.0 * radius;
-  const vec2 pixel = to_pixel(l, p);
-  const vec2 size = vec2(scene.views[l].size);
-  const bool is_in_map = all(greaterThanEqual(pixel, vec2(0.0))) && all(lessThanEqual(pixel, size));
-  if (!(is_in_map && depth > scene.views[l].near_plane)) {
-    return 1.0;
-  }
-  const vec2 texel = min(floor(max(pixel + pelage_lookup_jitter(seed), 0.0)), size - 1.0);
-  const vec2 slope = pelage_line_depth_slope(ray_to(l, p), direction_to_view(l, tangent), steepest);
-  const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
-  const uint place = scene.views[l].first_pixel + uint(texel.y) * uint(size.x) + uint(texel.x);
-  return transmittance_at(place, depth + dot(texel + 0.5 - pixel, growth), false);
+float transmittance_to_point(uint l, uint i, vec3 tangent) {
+  const map_square s = square_at_point(l, i, tangent);
+#ifdef JITTERED
+  const uint texel = (s.weight.y > 0.0 ? s.below : s.first) + uint(s.weight.x);
+  return s.is_inside ? transmittance_at(texel, mean_in(s, s.depths), false) : 1.0;
+#else
+  return transmittance_in(s, false);
+#endif
 }
 
 /// The same of a point on an object's surface, without what objects hide.

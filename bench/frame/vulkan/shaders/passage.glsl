@@ -27,8 +27,8 @@ vec4 fibres_in(map_square s, vec4 optical, vec4 whole) {
 }
 
 /// Behind an opaque object the fibres are all those before it.
-passage passage_to_fibre(uint l, vec3 world, vec3 tangent, float radius) {
-  const map_square s = square_at_fibre(l, world, tangent, radius);
+passage passage_to_point(uint l, uint i, vec3 tangent) {
+  const map_square s = square_at_point(l, i, tangent);
   if (!s.is_inside) {
     return passage(1.0, 0.0, 1.0);
   }

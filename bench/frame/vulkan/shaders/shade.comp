@@ -13,14 +13,6 @@ const float specular_weight = 0.22;
 const float exponent = 60.0;
 const float sky_share = 0.30;
 
-float passed_to_point(uint l, uint i, vec3 tangent) {
-#ifdef JITTERED
-  return jittered_transmittance_to_fibre(l, points[i].xyz, tangent, points[i].w, pelage_mixed_bits(i));
-#else
-  return transmittance_to_fibre(l, points[i].xyz, tangent, points[i].w);
-#endif
-}
-
 void shade(uint i) {
   const vec3 position = points[i].xyz;
   const vec3 tangent = triple_of_tangents(i);
@@ -29,7 +21,7 @@ void shade(uint i) {
   vec3 sum = sky_share * scene.sky * colour;
   for (uint l = 0u; l < scene.light_count; ++l) {
     const arrival light = light_at(l, position);
-    const float passed = scene.shadows ? passed_to_point(l, i, tangent) : 1.0;
+    const float passed = scene.shadows ? transmittance_to_point(l, i, tangent) : 1.0;
     const pelage_kajiya_kay_lobes lobes = pelage_kajiya_kay(tangent, light.to_light, to_eye, exponent);
     sum += passed * light.colour * (diffuse_weight * lobes.diffuse * colour + vec3(specular_weight * lobes.specular));
   }

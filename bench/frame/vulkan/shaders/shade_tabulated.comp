@@ -21,7 +21,7 @@ void shade(uint i) {
     const arrival light = light_at(l, position);
     passage passed = passage(1.0, 0.0, 1.0);
     if (scene.shadows) {
-      passed = passage_to_fibre(l, position, tangent, points[i].w);
+      passed = passage_to_point(l, i, tangent);
     }
     sum += light.colour * scatter(tangent, light.to_light, to_eye, passed, opacities[i]);
   }
