@@ -228,12 +228,14 @@ TEST_CASE("Scattering agrees within the stated ulps") {
             [](row in, results& out) {
               out.put(fresnel_dielectric(in.f(0), 1.0F + in.f(9)));
               out.put(fibre_attenuation(1.0F + in.f(9), in.f(0)));
+              out.put(fibre_opacity(1.0F + in.f(9), in.f(0)));
               const kajiya_kay_lobes lobes = kajiya_kay(in.v3(0), in.v3(3), in.v3(6), in.f(10));
               out.put(lobes.diffuse);
               out.put(lobes.specular);
             },
             {{"fresnel_dielectric", 1, 0, 64, 0.01F},
              {"fibre_attenuation", 1, 0, 64, 0.01F},
+             {"fibre_opacity", 1, 0, 64, 0.01F},
              {"kajiya_kay diffuse", 1, 0, 16},
              {"kajiya_kay specular", 1, 0, 80, 0.01F}});
   });
