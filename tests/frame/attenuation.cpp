@@ -75,6 +75,32 @@ TEST_CASE("a fibre's opacity is Fresnel's at its points, by its own inclination 
   });
 }
 
+TEST_CASE("mixed between a strand's points, it is that of the mixed tangent within 0.02 RMS and 1 % of the mean") {
+  const strands fibres = prepare_strands(make_built_in(500, 48, 1), {});
+  for (const bool perspective : {false, true}) {
+    const view from = perspective ? perspective_view({1.0F, 2.0F, 8.0F}, glm::vec3(0.0F), 0.3F, side, side, 0.1F)
+                                  : orthographic_view(glm::vec3(0.0F), {0.9F, -1.3F, 2.0F}, 4.0F, side);
+    const view_opacity opacity(fibres, from, 1.55F);
+    double squares = 0.0;
+    double sum = 0.0;
+    double right_sum = 0.0;
+    for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
+      for (const float along : {0.25F, 0.5F, 0.75F}) {
+        const glm::dvec3 place(fibres.mix(fibres.point, s, along));
+        const glm::dvec3 tangent(fibres.mix(fibres.tangent, s, along));
+        const glm::dvec3 ahead(from.direction_to_world(glm::vec3(0.0F, 0.0F, -1.0F)));
+        const double right = stopped(tangent, perspective ? place - glm::dvec3(from.eye) : ahead, 1.55);
+        const double found = static_cast<double>(opacity.at(s, along));
+        squares += (found - right) * (found - right);
+        sum += found;
+        right_sum += right;
+      }
+    }
+    CHECK(std::sqrt(squares / (3.0 * fibres.segment_count())) < 0.02);
+    CHECK(sum == doctest::Approx(right_sum).epsilon(0.01));
+  }
+}
+
 TEST_CASE("behind fibres arrives the product of A C + 1 - C, each A at the occluder's own inclination") {
   holds("straight fibres in a directional light", [] {
     const straight_fibres s;
@@ -156,6 +182,21 @@ TEST_CASE("fibres without a change of index are not seen, and leave no shadow") 
   settings.look.passing = attenuation::constant;
   settings.opacity = 0.0F;
   CHECK(same_bits(clear.pixels, draw(settings).pixels));
+}
+
+TEST_CASE("a fibre scatters of a light what the product leaves, in every colour alike") {
+  holds("models of one scattering", [] {
+    fibre_look look;
+    look.model = *rc::gen::element(bsdf_model::kajiya_kay, bsdf_model::marschner, bsdf_model::chiang);
+    look.passing = attenuation::fresnel;
+    const fibre_bsdf bsdf(look, glm::vec3(0.6F, 0.3F, 0.1F));
+    const fibre_place at{glm::vec3(0.0F, 1.0F, 0.0F), glm::normalize(any_vec3(0.1F, 1.0F)), glm::vec3(0.5F), 0.3F};
+    const glm::vec3 to_light = glm::normalize(any_vec3(-1.0F, -0.1F));
+    const float transmittance = any_float(0.0F, 1.0F);
+    const glm::vec3 found = bsdf.scatter(at, to_light, {transmittance, 3.0F, 1.0F});
+    const glm::vec3 right = transmittance * bsdf.scatter(at, to_light, {1.0F, 0.0F, 1.0F});
+    RC_ASSERT(glm::length(found - right) <= 1e-6F * (1.0F + glm::length(right)));
+  });
 }
 
 TEST_CASE("an opacity of its own, and dual scattering, do not go with Fresnel's attenuation") {
