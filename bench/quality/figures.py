@@ -7,6 +7,7 @@ import pathlib
 import subprocess
 
 import frames
+import light_paths
 import plots
 
 arguments = argparse.ArgumentParser()
@@ -34,3 +35,4 @@ for model in json.loads(report.read_text())["models"]:
     plots.draw_errors(model, pictures / f"errors{suffix}.png")
 
 frames.compare(programs / "frame" / "pelage-frame", scratch, pictures, given.rounds)
+light_paths.compare(programs / "frame" / "pelage-frame", scratch, pictures)
