@@ -68,7 +68,7 @@ TEST_CASE("By Fresnel's attenuation a device's picture is the processor's except
 TEST_CASE("By Fresnel's attenuation every structure draws one picture") {
   std::optional<std::uint64_t> first;
   for (const order_method order : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,
-                                   order_method::atomic_k_buffer, order_method::two_pass_k_buffer}) {
+                                   order_method::atomic_k_buffer, order_method::split_k_buffer}) {
     CAPTURE(static_cast<int>(order));
     frame_settings settings = small_frame();
     settings.order = order;
