@@ -12,7 +12,18 @@ import steps
 
 HAIR = ["--strands", "50000", "--segments", "48"]
 HEADLINE = ["--strands", "114000", "--segments", "60"]
-METHODS = ["k_buffer", "a_buffer", "ordered_list", "atomic_k_buffer", "split_k_buffer"]
+# --order and --tail, and what they are. "none" is a K-buffer as the papers have it, which loses what lies behind K.
+METHODS = {
+    ("k_buffer", "mean"): "count, allocate, scatter; a subgroup a pixel selects",
+    ("k_buffer", "none"): "the same, truncated",
+    ("a_buffer", "mean"): "two-pass [Yu12]: lists; an invocation a pixel replaces in registers",
+    ("a_buffer", "none"): "the same, truncated: as Yu has it",
+    ("ordered_list", "mean"): "single-pass [Yu12]: lists sorted while they are built",
+    ("atomic_k_buffer", "mean"): "one pass of 64-bit minima",
+    ("split_k_buffer", "mean"): "two passes of 32-bit minima: depths, ids",
+    ("partial_selection_sort", "mean"): "runs; selection stopped after K rounds",
+    ("selection_sort", "mean"): "runs; selection of whole lists [Yang10], no K",
+}
 SIZES = [8, 16, 32, 64]
 FRAMES = 50
 
@@ -33,20 +44,27 @@ def methods_table(program):
     """Frames by method and K."""
     all_reports = {}
     print(f"50 000 strands, 2.4 million segments, 640 x 640: milliseconds a frame, median of {FRAMES}")
-    print(f"{'':20}" + "".join(f"{'K = ' + str(k):>10}" for k in SIZES) + "   one picture, one hash")
-    for method in METHODS + ["selection_sort"]:
-        reports = []
-        for k in SIZES if method != "selection_sort" else SIZES[:1]:
-            options = HAIR + ["--order", method, "--k", str(k)]
-            reports.append(draw(program, options, FRAMES if method != "selection_sort" else 10))
-        all_reports[method] = reports
+    print(f"{'--order, --tail':30}" + "".join(f"{'K = ' + str(k):>10}" for k in SIZES) + "   one picture, one hash")
+    for (order, tail), what in METHODS.items():
+        whole = order == "selection_sort"
+        options = HAIR + ["--order", order, "--tail", tail]
+        sizes, frames = (SIZES[:1], 10) if whole else (SIZES, FRAMES)
+        reports = [draw(program, options + ["--k", str(k)], frames) for k in sizes]
+        all_reports[f"{order} {tail}"] = reports
         same = all(r["same_hash"] == r["frames"] for r in reports)
-        agree = all(r["hash"] == first["hash"] for r, first in zip(reports, all_reports["k_buffer"]))
+        agree = all(r["hash"] == first["hash"] for r, first in zip(reports, all_reports[f"k_buffer {tail}"]))
         verdict = ("as k_buffer" if agree else "its own") + (", in all frames" if same else ", NOT in all frames")
-        print(f"{method:20}" + "".join(f"{r['milliseconds']:10.2f}" for r in reports).ljust(40) + "   " + verdict)
-    whole = all_reports["selection_sort"][0]["milliseconds"]
-    ratios = [f"{whole / r['milliseconds']:.1f} at K = {r['k']}" for r in all_reports["k_buffer"]]
-    print("selection_sort / k_buffer: " + ", ".join(ratios))
+        times = "".join(f"{r['milliseconds']:10.2f}" for r in reports)
+        print(f"{order + ', ' + tail:30}{times:40}   {verdict}; {what}")
+    for slow, fast in [
+        ("selection_sort mean", "k_buffer mean"),
+        ("selection_sort mean", "a_buffer none"),
+        ("partial_selection_sort mean", "a_buffer none"),
+        ("a_buffer mean", "k_buffer mean"),
+    ]:
+        slower = all_reports[slow] * (len(SIZES) if len(all_reports[slow]) == 1 else 1)
+        pairs = [(s["milliseconds"], f["milliseconds"], f["k"]) for s, f in zip(slower, all_reports[fast])]
+        print(f"{slow} / {fast}: " + ", ".join(f"{s / f:.1f} at K = {k}" for s, f, k in pairs))
     return all_reports
 
 

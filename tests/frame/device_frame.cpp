@@ -111,7 +111,7 @@ TEST_CASE("Truncated, every structure draws the processor's one picture, and wha
     if (!first) {
       const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
       CHECK(compare(got->picture, expected.picture).rms < 0.001);
-      CHECK(compare(got->picture, draw(small_frame(order, 4))->picture).rms > 0.05);
+      CHECK(compare(got->picture, draw(small_frame(order, 4))->picture).rms > 0.02);
       first = got->hash;
     }
     CHECK(got->hash == *first);
