@@ -75,6 +75,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   std::string device = "cpu";
   std::vector<std::string> lights;
   std::vector<float> from;
+  std::vector<float> ambient;
 
   CLI::Option* hair = app.add_option("--hair", c.hair, "a .hair or .tfx file; without it the built-in model is drawn");
   app.add_option("--follow", c.follow, "follow strands for each strand of the file")
@@ -146,6 +147,11 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--lights", lights,
                  "directional:X,Y,Z:R,G,B, point:X,Y,Z:R,G,B or spot:X,Y,Z:R,G,B:DEGREES, any number; positions in "
                  "radii of the model round its centre");
+  app.add_option("--ambient", ambient,
+                 "R,G,B, or one number for all: light from all sides that nothing shadows, [0, 1e6]")
+      ->delimiter(',')
+      ->expected(1, 3)
+      ->check(CLI::Range(0.0, 1e6));
   app.add_option("--from", from, "AZIMUTH,ELEVATION of the camera, degrees; else where the hair is seen best")
       ->delimiter(',')
       ->expected(2);
@@ -186,6 +192,8 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   check_drawn_on(c.on_device, spacing, s.shading_spacing, frames, c.turn != 0.0F);
   for (const std::string& text : lights)
     s.lights.push_back(parse_light(text));
+  if (ambient.size() == 2) throw std::invalid_argument("--ambient takes R,G,B or one number");
+  if (!ambient.empty()) s.ambient = {ambient.front(), ambient[ambient.size() / 2], ambient.back()};
   if (!from.empty()) s.from = glm::vec2(from[0], from[1]);
   return c;
 }

@@ -40,6 +40,7 @@ frame_result draw_frame(const stage& set, const frame_settings& settings,
 
   frame_result result;
   scene world{fibres, set.opaque, {}, set.round, set.sky, make_bsdf(set, settings.look), settings.lookup};
+  world.ambient = settings.ambient;
   const double passes = static_cast<double>(set.lights.size() + 1);
 
   for (std::size_t i = 0; i < set.lights.size(); ++i) {

@@ -51,8 +51,16 @@ void add_look_options(CLI::App& app, look_options& o, fibre_look& look) {
           ->default_str("0.2,0.3"),
       app.add_option("--tilt", look.tilt, "of the cuticle's scales toward the tip, degrees, [-20, 20]")
           ->check(CLI::Range(-20.0, 20.0))};
-  for (CLI::Option* option : o.of_fibres)
-    option->capture_default_str();
+  o.of_lobes = {app.add_option("--diffuse", look.diffuse, "kajiya_kay's K_d, on the fibre's colour, [0, 100]")
+                    ->check(CLI::Range(0.0, 100.0)),
+                app.add_option("--specular", look.specular, "kajiya_kay's K_s, of a white highlight, [0, 100]")
+                    ->check(CLI::Range(0.0, 100.0)),
+                app.add_option("--exponent", look.exponent, "of kajiya_kay's highlight, [0, 10000]")
+                    ->check(CLI::Range(0.0, 10000.0))};
+  for (const auto& options : {o.of_fibres, o.of_lobes}) {
+    for (CLI::Option* option : options)
+      option->capture_default_str();
+  }
 }
 
 void read_look(const look_options& o, fibre_look& look) {
@@ -62,6 +70,11 @@ void read_look(const look_options& o, fibre_look& look) {
     const bool is_used = look.passing == attenuation::fresnel && option->get_name() == "--eta";
     if (look.model == bsdf_model::kajiya_kay && option->count() > 0 && !is_used) {
       throw std::invalid_argument(option->get_name() + " needs --bsdf marschner, chiang or dual_scattering");
+    }
+  }
+  for (const CLI::Option* option : o.of_lobes) {
+    if (look.model != bsdf_model::kajiya_kay && option->count() > 0) {
+      throw std::invalid_argument(option->get_name() + " needs --bsdf kajiya_kay");
     }
   }
   if (look.model == bsdf_model::marschner && o.beta.size() > 1) {

@@ -18,6 +18,7 @@ struct look_options {
   std::vector<float> melanin;           ///< eumelanin and, if given, pheomelanin
   std::vector<float> beta;              ///< along and, if given, round
   std::vector<CLI::Option*> of_fibres;  ///< what Kajiya-Kay's model has no place for
+  std::vector<CLI::Option*> of_lobes;   ///< what it alone has
 };
 
 /// Adds the options; those with one number write to `look`. Both must outlive the parsing.

@@ -4,6 +4,7 @@
 #include <pelage/coverage/ray_cone.hpp>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -38,6 +39,7 @@ struct frame_settings {
   bool antialias = true;
   pixel_footprint footprint = pixel_footprint::equal_area;  ///< of the camera, where it is anti-aliased
   std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera
+  glm::vec3 ambient{0.0F};        ///< radiance from all sides that nothing shadows, linear RGB, [0, 1e6] each
   float opacity = -1.0F;          ///< of all fibres, [0, 1]; negative: the model's own
   float fibre_radius = -1.0F;     ///< of all fibres, length units, [0, inf); negative: the model's own
   std::uint64_t shuffle = 0;      ///< seed of the drawing order; 0: the model's order

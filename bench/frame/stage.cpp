@@ -31,6 +31,8 @@ void check(const frame_settings& s) {
   if (s.from && !(std::isfinite(s.from->x) && std::abs(s.from->y) < 90.0F)) {
     throw std::invalid_argument("the camera's elevation must be in (-90, 90) degrees");
   }
+  for (const float channel : {s.ambient.r, s.ambient.g, s.ambient.b})
+    if (!(channel >= 0.0F && channel <= 1e6F)) throw std::invalid_argument("ambient light must be in [0, 1e6]");
   if (!(s.fibre_radius <= largest)) throw std::invalid_argument("the fibre's radius must be at most 1e12");
 }
 

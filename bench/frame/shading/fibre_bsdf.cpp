@@ -17,11 +17,6 @@ namespace {
 
 constexpr float pi = 3.14159265F;
 
-// Kajiya-Kay's lobes have no physical weights; these look like hair.
-constexpr float diffuse_weight = 0.55F;   ///< on the fibre's colour
-constexpr float specular_weight = 0.22F;  ///< white
-constexpr float exponent = 60.0F;
-
 constexpr dual_density<float> density{0.7F, 0.7F};  // [Zinke 2008 §5]
 
 void check(const fibre_look& look) {
@@ -37,6 +32,9 @@ void check(const fibre_look& look) {
     throw std::invalid_argument("--bsdf dual_scattering needs --attenuation constant");
   }
   hold(look.tilt, -20.0F, 20.0F, "the tilt of scales");
+  hold(look.diffuse, 0.0F, 100.0F, "the diffuse weight");
+  hold(look.specular, 0.0F, 100.0F, "the specular weight");
+  hold(look.exponent, 0.0F, 10000.0F, "the highlight's exponent");
   if (look.pigment) {
     hold(look.pigment->eumelanin, 0.0F, 100.0F, "melanin");
     hold(look.pigment->pheomelanin, 0.0F, 100.0F, "melanin");
@@ -134,9 +132,9 @@ glm::vec<3, Real> fibre_bsdf::own_colour(const fibre_place_of<Real>& at) const {
 template <class Real>
 glm::vec<3, Real> fibre_bsdf::kajiya_kay_share(const fibre_place_of<Real>& at,
                                                const glm::vec<3, Real>& to_light) const {
-  const auto lobes = kajiya_kay(at.tangent, to_light, at.to_eye, Real(exponent));
-  return Real(diffuse_weight) * lobes.diffuse * own_colour(at) +
-         glm::vec<3, Real>(Real(specular_weight) * lobes.specular);
+  const auto lobes = kajiya_kay(at.tangent, to_light, at.to_eye, Real(look_.exponent));
+  return Real(look_.diffuse) * lobes.diffuse * own_colour(at) +
+         glm::vec<3, Real>(Real(look_.specular) * lobes.specular);
 }
 
 /// ½ S cos θ_i: half, since M counts θ_r in halves.

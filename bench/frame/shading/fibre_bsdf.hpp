@@ -35,6 +35,10 @@ struct fibre_look {
   float beta_n = 0.3F;                    ///< roughness round, [0.05, 1]; Marschner's fibre has none
   float tilt = 2.0F;                      ///< of the cuticle's scales toward the tip, degrees, [-20, 20]
   attenuation passing = attenuation::constant;
+  // Kajiya-Kay's. Its lobes have no physical weights; these look like hair.
+  float diffuse = 0.55F;   ///< K_d, on the fibre's colour, [0, 100]
+  float specular = 0.22F;  ///< K_s, white, [0, 100]
+  float exponent = 60.0F;  ///< p, [0, 10000]
 };
 
 /// A place on a fibre and who looks at it; as many as Real has lanes.

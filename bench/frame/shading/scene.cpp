@@ -73,7 +73,7 @@ void scene::fibre_radiance(std::span<const lit_place> asked, std::span<glm::vec3
     for (std::size_t i = 0; i < here.size(); ++i) {
       const std::size_t first = i * lanes_each;
       here[i] = places_at(some.subspan(first, std::min(lanes_each, some.size() - first)));
-      here[i].sent = filled<wide>(sky_share * sky) * bsdf.reflect_sky(here[i].fibre, here[i].set);
+      here[i].sent = filled<wide>(sky_share * sky + ambient) * bsdf.reflect_sky(here[i].fibre, here[i].set);
     }
     for (const lit& l : lights)
       light(l, here);
@@ -120,7 +120,7 @@ scene::backdrop_rays scene::seen_behind(const wide_rays& rays) const {
 
 wide3 scene::solid_radiance(const wide3& position, const solid_hit<wide>& hit, std::uint32_t set) const {
   const wide zero(0.0F);
-  wide3 sum = wide(0.5F) * (wide(1.0F) + wide(0.3F) * hit.normal.y) * filled<wide>(sky);
+  wide3 sum = wide(0.5F) * (wide(1.0F) + wide(0.3F) * hit.normal.y) * filled<wide>(sky) + filled<wide>(ambient);
   for (const lit& l : lights) {
     const arrival_of<wide> in = light_at(l.source, bounds, position);
     const wide facing = dot_product(hit.normal, in.to_light);

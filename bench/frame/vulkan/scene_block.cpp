@@ -93,6 +93,10 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
     for (std::size_t v = 0; v <= set.lights.size(); ++v)
       b.views[v].first_opacity = static_cast<std::uint32_t>(v * set.fibres.point.size());
   }
+  b.diffuse = settings.look.diffuse;
+  b.specular = settings.look.specular;
+  b.ambient = settings.ambient;
+  b.exponent = settings.look.exponent;
   return b;
 }
 

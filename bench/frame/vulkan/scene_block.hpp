@@ -68,10 +68,14 @@ struct scene_block {
   std::uint32_t antialias;
   std::uint32_t segment_count;
   float eta;
-  std::array<std::uint32_t, 1> unused;
+  float diffuse;
+  glm::vec3 ambient;
+  float specular;
+  float exponent;
+  std::array<std::uint32_t, 3> unused;
 };
 static_assert(sizeof(scene_block::view_block) == 112 && sizeof(scene_block::light_block) == 48 &&
-              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1744);
+              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1776);
 
 /// The constants of a frame; views[i].first_pixel and first_block count those of the views before. What depends on the
 /// number of fragments is 0.

@@ -14,7 +14,7 @@ vec3 sky_toward(vec3 direction) {
 }
 
 vec3 solid_radiance(vec3 position, vec3 normal) {
-  vec3 sum = 0.5 * (1.0 + 0.3 * normal.y) * scene.sky;
+  vec3 sum = 0.5 * (1.0 + 0.3 * normal.y) * scene.sky + scene.ambient;
   for (uint l = 0u; l < scene.light_count; ++l) {
     const arrival light = light_at(l, position);
     const float facing = dot(normal, light.to_light);

@@ -79,6 +79,10 @@ layout(std140, binding = 0) uniform scene_block {
   bool antialias;
   uint segment_count;
   float eta;  ///< of fibres that stop what Fresnel's equations say; else 0
+  float diffuse;  ///< Kajiya-Kay's K_d
+  vec3 ambient;
+  float specular;  ///< K_s
+  float exponent;  ///< p
 } scene;
 
 // What a segment's word holds beside its first point.

@@ -8,9 +8,6 @@
 #include "lighting.glsl"
 
 // As bench/frame/shading has them.
-const float diffuse_weight = 0.55;
-const float specular_weight = 0.22;
-const float exponent = 60.0;
 const float sky_share = 0.30;
 
 void shade(uint i) {
@@ -18,12 +15,12 @@ void shade(uint i) {
   const vec3 tangent = triple_of_tangents(i);
   const vec3 colour = triple_of_colours(i);
   const vec3 to_eye = normalize(scene.views[scene.light_count].eye - position);
-  vec3 sum = sky_share * scene.sky * colour;
+  vec3 sum = (sky_share * scene.sky + scene.ambient) * colour;
   for (uint l = 0u; l < scene.light_count; ++l) {
     const arrival light = light_at(l, position);
     const float passed = scene.shadows ? transmittance_to_point(l, i, tangent) : 1.0;
-    const pelage_kajiya_kay_lobes lobes = pelage_kajiya_kay(tangent, light.to_light, to_eye, exponent);
-    sum += passed * light.colour * (diffuse_weight * lobes.diffuse * colour + vec3(specular_weight * lobes.specular));
+    const pelage_kajiya_kay_lobes lobes = pelage_kajiya_kay(tangent, light.to_light, to_eye, scene.exponent);
+    sum += passed * light.colour * (scene.diffuse * lobes.diffuse * colour + vec3(scene.specular * lobes.specular));
   }
   const vec3 held = min(sum, vec3(65504.0));  // the largest half
   const float opacity = scene.translucent ? opacities[VIEW.first_opacity + i] : 1.0;

@@ -16,7 +16,7 @@ void shade(uint i) {
   const vec3 position = points[i].xyz;
   const vec3 tangent = triple_of_tangents(i);
   const vec3 to_eye = normalize(scene.views[scene.light_count].eye - position);
-  vec3 sum = sky_share * scene.sky * reflect_sky(tangent, to_eye);
+  vec3 sum = (sky_share * scene.sky + scene.ambient) * reflect_sky(tangent, to_eye);
   for (uint l = 0u; l < scene.light_count; ++l) {
     const arrival light = light_at(l, position);
     passage passed = passage(1.0, 0.0, 1.0);
