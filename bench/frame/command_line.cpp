@@ -84,11 +84,20 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--follow-radius", c.follow_radius, "how far they spread, model units; 0: 0.6 % of the model's size")
       ->check(CLI::Range(0.0, 1e12))
       ->needs(hair);
+  CLI::Option* interpolate =
+      app.add_option("--interpolate", c.interpolate, "strands between neighbouring guides for each strand of the file")
+          ->check(CLI::Range(0, 4096))
+          ->needs(hair);
+  app.add_option("--clump", c.clump, "how far their tips are drawn to that strand, [0, 1]; 0: not, 1: to its tip")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(interpolate)
+      ->capture_default_str();
   app.add_option("--strands", c.strands, "of the built-in model")->excludes(hair)->capture_default_str();
   app.add_option("--segments", c.segments, "of each strand of the built-in model")
       ->excludes(hair)
       ->capture_default_str();
-  app.add_option("--seed", c.seed, "of the built-in model, of follow strands and of stochastic blending")
+  app.add_option("--seed", c.seed,
+                 "of the built-in model, of follow and interpolated strands and of stochastic blending")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   app.add_option("--size", size, "WIDTHxHEIGHT or SIDE, pixels")->capture_default_str();

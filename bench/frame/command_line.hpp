@@ -15,6 +15,8 @@ struct command_line {
   std::string hair;                 ///< a .hair or .tfx file; empty: the built-in model
   std::uint32_t follow = 0;         ///< follow strands for each strand of the file
   float follow_radius = 0.0F;       ///< length units; 0: 0.6 % of the model's size
+  std::uint32_t interpolate = 0;    ///< strands between guides for each strand of the file
+  float clump = 0.0F;               ///< of those, [0, 1]
   std::uint32_t strands = 50000;    ///< of the built-in model
   std::uint32_t segments = 48;      ///< of each of its strands
   std::uint64_t seed = 1;           ///< of the built-in model, follow strands and stochastic blending

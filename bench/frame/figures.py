@@ -91,3 +91,10 @@ side_by_side("scattering", [
 if given.hair:
     picture, _ = render("file", "--hair", given.hair, "--follow", "15")
     (pictures / "file.png").write_bytes(picture.read_bytes())
+    ways = [["", "--follow 30"], ["--interpolate 30", "--interpolate 30 --clump 0.8"]]
+    side_by_side("strands", [
+        [(way or "the file's strands",
+          render("strands" + way.replace(" ", "_"), "--hair", given.hair, "--size", "560", *way.split())[0])
+         for way in row]
+        for row in ways
+    ])

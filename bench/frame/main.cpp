@@ -21,6 +21,7 @@
 #include "frame/look_options.hpp"
 #include "frame/model/built_in.hpp"
 #include "frame/model/follow_strands.hpp"
+#include "frame/model/interpolated_strands.hpp"
 #include "frame/model/load_model.hpp"
 #include "frame/model/random_colours.hpp"
 #include "frame/vulkan/device_frame.hpp"
@@ -32,6 +33,7 @@ using namespace pelage::frame;
 hair_model load(const command_line& c) {
   if (c.hair.empty()) return make_built_in(c.strands, c.segments, c.seed);
   hair_model model = load_model(c.hair);
+  if (c.interpolate > 0) model = add_interpolated_strands(model, c.interpolate, c.clump, c.seed);
   if (c.follow == 0) return model;
   const box bounds = model.bounds();
   const float size = bounds.empty() ? 1.0F : glm::length(bounds.upper - bounds.lower);

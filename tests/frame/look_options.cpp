@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// The program's options for Kajiya-Kay's lobes and ambient light.
+// The program's options for Kajiya-Kay's lobes, ambient light and interpolated strands.
 #include "frame/terminal.hpp"
 
 #include <string>
@@ -37,6 +37,26 @@ TEST_CASE("numbers beyond their ranges, and options that have no meaning, are re
   t.check_refused(tiny + "--out a.png --ambient nan", "ambient light must be in [0, 1e6]");
   for (const std::string lobe : {"--diffuse 0.5", "--specular 0.2", "--exponent 60"})
     t.check_refused("--out a.png --bsdf marschner " + lobe, "needs --bsdf kajiya_kay");
+
+  t.write("a.tfx", tfx_bytes());
+  const std::string file = "--hair a.tfx --size 24 --out a.png ";
+  t.check_refused("--out a.png --interpolate 3", "--interpolate");
+  t.check_refused(file + "--clump 0.5", "--clump");
+  t.check_refused(file + "--interpolate -1", "--interpolate");
+  t.check_refused(file + "--interpolate 4097", "--interpolate");
+  t.check_refused(file + "--interpolate 3 --clump 1.5", "--clump");
+  t.check_refused(file + "--interpolate 3 --clump nan", "the clump of strands is not in [0, 1]");
+}
+
+TEST_CASE("strands between guides are drawn as many as asked for, followed if there should be some") {
+  const terminal t;
+  t.write("a.hair", hair_bytes());
+  REQUIRE(t.run("--hair a.hair --interpolate 4 --size 24 --out a.png") == 0);
+  CHECK(t.printed().starts_with("a.png: 100 strands, 400 segments, "));
+  REQUIRE(t.run("--hair a.hair --interpolate 4 --clump 1 --size 24 --out b.png") == 0);
+  CHECK(text_of(t.folder / "a.png") != text_of(t.folder / "b.png"));
+  REQUIRE(t.run("--hair a.hair --interpolate 4 --follow 1 --size 24 --out c.png") == 0);
+  CHECK(t.printed().starts_with("c.png: 200 strands, 800 segments, "));
 }
 
 }  // namespace pelage::test
