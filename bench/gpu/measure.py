@@ -25,6 +25,7 @@ METHODS = {
     ("selection_sort", "mean"): "runs; selection of whole lists [Yang10], no K",
 }
 SIZES = [8, 16, 32, 64]
+MODELS = ["kajiya_kay", "marschner", "chiang", "dual_scattering"]
 FRAMES = 50
 
 
@@ -104,6 +105,28 @@ def peeling_table(program, folder):
     return all_reports
 
 
+def models_table(program, folder):
+    """What the models of a fibre cost, and how far the device's pictures are from the processor's."""
+    print("\n50 000 strands, 640 x 640, K = 16, blond: milliseconds; RMS and largest difference from the CPU's picture")
+    print(f"{'--bsdf':18}{'frame':>8}{'shade':>8}{'cover':>8}{'MB':>8}{'RMS':>10}{'largest':>10}   one hash")
+    all_reports = {}
+    for model in MODELS:
+        options = HAIR + ["--bsdf", model, "--hair-colour", "blond"]
+        truth = folder / f"cpu_{model}.png"
+        command = [program, "--shading-spacing", "inf", "--out", str(truth)] + options
+        subprocess.run(command, check=True, capture_output=True)
+        r = draw(program, options + ["--compare", str(truth)], FRAMES)
+        all_reports[model] = r
+        shade, cover = (
+            sum(p["milliseconds"] for p in r["passes"] if p["name"].startswith(name)) for name in ("shade", "cover")
+        )
+        print(
+            f"{model:18}{r['milliseconds']:8.2f}{shade:8.2f}{cover:8.2f}{r['device_bytes'] / 1e6:8.0f}"
+            f"{r['rms']:10.5f}{r['maximum']:10.3f}   {r['same_hash']} of {r['frames']}"
+        )
+    return all_reports
+
+
 def headline(program, picture):
     """The large model by passes, 100 frames."""
     report = draw(program, HEADLINE + ["--k", "16"], 100, picture)
@@ -131,6 +154,7 @@ def main():
     reports = {
         "methods": methods_table(program),
         "peeling": peeling_table(program, folder),
+        "models": models_table(program, folder),
         "headline": headline(program, folder / "gpu.png"),
         "steps": steps.tables(draw, program),
     }
