@@ -36,7 +36,7 @@ def rays(room):
 
 def steps(room):
     """The occupancy path step by step, and whole frames against the number of strands."""
-    size, thousands, rounds = ("64", [1, 2], 1) if room.quick else ("640", [5, 10, 20, 50, 114], 5)
+    size, thousands, rounds = ("64", [1, 2], 1) if room.quick else ("640", [5, 10, 20, 50, 114], 3)
 
     def options(n):
         return ["--strands", str(1000 * n), "--size", size, *PATH]

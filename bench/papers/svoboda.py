@@ -13,7 +13,7 @@ LIGHTS = ["spot:1.5,4.3,5.6:1.55,1.47,1.36:90", "directional:-0.9,1.3,-2.0:0.80,
 
 def sweeps(room):
     """Medians of frames drawn in turns, each over the first of its kind."""
-    size, strands, rounds = ("64", "300", 1) if room.quick else ("640", "20000", 5)
+    size, strands, rounds = ("64", "300", 1) if room.quick else ("640", "20000", 3)
     common = ["--strands", strands, "--size", size, "--shadow", "deep_opacity:8"]
     kinds = {
         "texels a side of each map": {n: [*common, "--map-size", str(n)] for n in (256, 512, 1024, 2048)},
