@@ -135,6 +135,8 @@ template glm::vec2 plane_depth_slope(const vec3&, const vec3&, float) noexcept;
 template glm::vec2 detail::limited_slope(float, float, float, float) noexcept;
 template float diagonal_ratio(const glm::vec2&) noexcept;
 template float line_width_share(const glm::vec2&, float, float) noexcept;
+template float mean_diagonal_ratio(float) noexcept;
+template float mean_line_width_share(float, float) noexcept;
 template float disc_radius(pixel_footprint) noexcept;
 template ray_cone<float> perspective_cone(float, int, pixel_footprint) noexcept;
 template ray_cone<float> orthographic_cone(float, int, pixel_footprint) noexcept;

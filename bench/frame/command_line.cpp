@@ -28,6 +28,7 @@ const std::map<std::string, components> component_names{{"single", components::s
                                                         {"shadows", components::shadows},
                                                         {"translucency", components::translucency},
                                                         {"full", components::full}};
+const std::map<std::string, primitive> primitive_names{{"segment", primitive::segment}, {"line", primitive::line}};
 const std::map<std::string, pixel_footprint> footprint_names{{"inscribed", pixel_footprint::inscribed},
                                                              {"equal_area", pixel_footprint::equal_area},
                                                              {"yu", pixel_footprint::yu}};
@@ -72,6 +73,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   std::string antialias = "on";
   std::string footprint = name_in(footprint_names, s.footprint);
   std::string lookup = name_in(lookup_names, s.lookup);
+  std::string drawn = name_in(primitive_names, s.drawn);
   std::string device = "cpu";
   std::vector<std::string> lights;
   std::vector<float> from;
@@ -149,6 +151,9 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--footprint", footprint, "the disc that stands for an anti-aliased pixel of the camera")
       ->check(CLI::IsMember(names(footprint_names)))
       ->capture_default_str();
+  app.add_option("--primitive", drawn, "how segments become fragments: by exact coverage or as one-pixel lines")
+      ->check(CLI::IsMember(names(primitive_names)))
+      ->capture_default_str();
   look_options look;
   add_look_options(app, look, s.look);
   app.add_option("--fibre-radius", s.fibre_radius, "of all fibres, model units; else the model's")
@@ -190,6 +195,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   s.antialias = antialias == "on";
   s.footprint = footprint_names.at(footprint);
   s.lookup = lookup_names.at(lookup);
+  s.drawn = primitive_names.at(drawn);
   read_look(look, s.look);
   s.on_bust = c.hair.empty();
   c.random_colours = fibre_colours == "random";

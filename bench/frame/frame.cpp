@@ -19,6 +19,16 @@ double seconds_since(clock::time_point start) {
   return std::chrono::duration<double>(clock::now() - start).count();
 }
 
+/// In the camera's view lines have their width by depth bin, in a light's at the middle of the fibres [Svoboda §1.2.3].
+raster raster_of(const stage& set, const view& from, bool antialias, const frame_settings& settings) {
+  constexpr std::uint32_t bins = 256;
+  const bool is_fresnel = settings.look.passing == attenuation::fresnel;
+  const std::optional<float> eta = is_fresnel ? std::optional(settings.look.eta) : std::nullopt;
+  if (settings.drawn == primitive::segment) return {set.fibres, from, antialias, eta};
+  const bool is_camera = &from == &set.eye;
+  return {set.fibres, from, antialias, is_camera ? bins : 0, -from.to_view(set.round.centre).z, eta};
+}
+
 }  // namespace
 
 frame_result draw_frame(const hair_model& model, const frame_settings& settings,
@@ -34,8 +44,6 @@ frame_result draw_frame(const stage& set, const frame_settings& settings,
                         const std::function<void(const std::string&, double)>& progress) {
   const clock::time_point start = clock::now();
   const strands& fibres = set.fibres;
-  const bool is_fresnel = settings.look.passing == attenuation::fresnel;
-  const std::optional<float> eta = is_fresnel ? std::optional(settings.look.eta) : std::nullopt;
   const order_options options{settings.order, settings.k, set.drawing_order};
 
   frame_result result;
@@ -49,7 +57,7 @@ frame_result draw_frame(const stage& set, const frame_settings& settings,
       const std::string name = fmt::format("light {}", i + 1);
       progress(name, static_cast<double>(i) / passes);
       const clock::time_point pass_start = clock::now();
-      const raster fragments(fibres, set.light_views[i], true, eta);
+      const raster fragments = raster_of(set, set.light_views[i], true, settings);
       const double prepared = seconds_since(pass_start);
       cast_shadow made = cast(settings.shadow, fragments, world.opaque, options, has_translucency(settings.shown));
       result.passes.push_back({name, prepared, made.report, made.map->bytes()});
@@ -60,7 +68,7 @@ frame_result draw_frame(const stage& set, const frame_settings& settings,
 
   progress("camera", static_cast<double>(set.lights.size()) / passes);
   const clock::time_point pass_start = clock::now();
-  const raster fragments(fibres, set.eye, settings.antialias, eta);
+  const raster fragments = raster_of(set, set.eye, settings.antialias, settings);
   const double prepared = seconds_since(pass_start);
   const backdrop behind(set.eye, world, settings.antialias);
   const shaded_fibres shades(world, fragments, behind.limit(), settings.shading_spacing);

@@ -12,6 +12,7 @@
 
 #include "frame/blends/blend_choice.hpp"
 #include "frame/order/order_pass.hpp"
+#include "frame/raster/line_in_pixel.hpp"
 #include "frame/scene/lights.hpp"
 #include "frame/shading/camera_film.hpp"
 #include "frame/shading/fibre_bsdf.hpp"
@@ -36,6 +37,7 @@ struct frame_settings {
   components shown = components::full;
   fibre_look look;               ///< how fibres scatter light
   float shading_spacing = 8.0F;  ///< pixels between the places of a segment that are shaded, [0, inf]; 0: each fragment
+  primitive drawn = primitive::segment;
   bool antialias = true;
   pixel_footprint footprint = pixel_footprint::equal_area;  ///< of the camera, where it is anti-aliased
   std::vector<light> lights;      ///< relative to the scene; empty: two that go with the camera

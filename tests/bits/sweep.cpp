@@ -87,7 +87,7 @@ bool same_bits(const results& a, const results& b) {
   const strand_joint<float> first{{a.x, a.y}, {b.x, b.y}};
   const strand_joint<float> second{{c.x, c.y}, {d.x, d.y}};
   put(out, {past_joint(first, {d.x, c.y}), owned_by_segment(first, second, {d.x, c.y}),
-            line_width_share(glm::vec2(a.x, a.y), radius, 0.5f)});
+            line_width_share(glm::vec2(a.x, a.y), radius, 0.5f), mean_line_width_share(radius, 0.5f)});
   for (const glm::vec3& corner : expand_segment(c, d, radius, perspective_cone(0.3f, 640), 0.1f, 2.0f).corner)
     put(out, corner);
 

@@ -95,4 +95,69 @@ TEST_CASE("a fibre or a pixel without width, or a NaN radius, has no share") {
   }
 }
 
+TEST_CASE("the thesis's coverage has the values that Eq. 1.1 gives by hand") {
+  const double root = 1.4142135623730951;
+  CHECK(mean_diagonal_ratio(0.0) == doctest::Approx((1.0 + root) / 2.0).epsilon(1e-15));
+  CHECK(mean_diagonal_ratio(1.0) == doctest::Approx((1.0 + root) / 2.0 - 0.25).epsilon(1e-15));
+  CHECK(mean_line_width_share(0.1, 0.5) == doctest::Approx(0.231421356237309).epsilon(1e-14));  // w = 0.2
+  CHECK(mean_line_width_share(0.2, 0.5) == doctest::Approx(0.442842712474619).epsilon(1e-14));  // w = 0.4
+  CHECK(mean_line_width_share(0.5, 0.5) == doctest::Approx(0.957106781186547).epsilon(1e-14));  // w = 1
+  CHECK(mean_line_width_share(0.5f, 0.5f) == doctest::Approx(0.9571068f));
+  CHECK(mean_line_width_share(0.51f, 0.5f) == 1.0f);
+  CHECK(mean_line_width_share(inf, 0.5f) == 1.0f);
+  for (const float none : {0.0f, -1.0f, nan}) {
+    CHECK(mean_line_width_share(none, 0.5f) == 0.0f);
+    CHECK(mean_line_width_share(0.1f, none) == 0.0f);
+  }
+  CHECK(mean_line_width_share(inf, inf) == 0.0f);
+}
+
+/// The share of a pixel's square that a fibre through its middle covers: its chords, summed up across the fibre.
+double square_share(double width, double angle) {
+  const double across = std::sin(angle);
+  const double along = std::cos(angle);
+  const int steps = 2000;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double h = width * ((i + 0.5) / steps - 0.5);  // the chord through h (-across, along), from side to side
+    double begin = -2.0;
+    double end = 2.0;
+    const auto cut = [&](double at, double slope) {
+      if (slope < 1e-12) {
+        if (std::abs(at) > 0.5) end = begin;
+        return;
+      }
+      begin = std::max(begin, (-0.5 - at) / slope);
+      end = std::min(end, (0.5 - at) / slope);
+    };
+    cut(-h * across, along);
+    cut(h * along, across);
+    sum += std::max(0.0, end - begin);
+  }
+  return sum * width / steps;
+}
+
+TEST_CASE("through the pixel's middle the thesis's coverage is within 0.043 of the square's share at any angle") {
+  double worst = 0.0;
+  for (int w = 1; w <= 50; ++w) {
+    for (int step = 0; step <= 45; ++step) {
+      const double exact = square_share(w / 50.0, step * 0.017453292519943295);
+      worst = std::max(worst, std::abs(mean_line_width_share(w / 100.0, 0.5) - exact));
+    }
+  }
+  CHECK(worst < 0.0430);
+  CHECK(worst > 0.0425);
+}
+
+TEST_CASE("a line of the thesis's coverage weighs too much along rows and too little along diagonals") {
+  const auto weight = [](double width, double angle) {  // of the pixels over that of the fibre, a length of both
+    return mean_line_width_share(0.5 * width, 0.5) * std::cos(angle) / width;
+  };
+  const double diagonal = 0.7853981633974483;
+  CHECK(weight(1e-6, 0.0) == doctest::Approx(1.21).epsilon(0.005));
+  CHECK(weight(1e-6, diagonal) == doctest::Approx(0.85).epsilon(0.005));
+  CHECK(weight(1.0, 0.0) == doctest::Approx(0.96).epsilon(0.005));
+  CHECK(weight(1.0, diagonal) == doctest::Approx(0.68).epsilon(0.005));
+}
+
 }  // namespace pelage::test

@@ -117,6 +117,7 @@ TEST_CASE("Coverage agrees within the stated ulps") {
               const glm::vec2 pixel(in.f(14), in.f(12));
               out.put(past_joint(first, pixel));
               out.put(owned_by_segment(first, second, pixel));
+              out.put(mean_line_width_share(in.f(12), in.f(13)));
             },
             {{"closest_points along_ray", 1, 0, 80, 1.0F},
              {"closest_points along_segment", 1, 0, 80, 1.0F},
@@ -137,7 +138,8 @@ TEST_CASE("Coverage agrees within the stated ulps") {
              {"orthographic_cone slope", 1, 0, 0},
              {"tangent_stretch", 1, 0, 8},
              {"past_joint", 1, 0, 0},
-             {"owned_by_segment", 1, 0, 0}});
+             {"owned_by_segment", 1, 0, 0},
+             {"mean_line_width_share", 1, 0, 8}});
   });
 }
 

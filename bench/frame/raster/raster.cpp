@@ -40,6 +40,28 @@ raster::raster(const strands& fibres, const view& from, bool antialias, std::opt
   });
 }
 
+raster::raster(const strands& fibres, const view& from, bool antialias, std::uint32_t bins, float at,
+               std::optional<float> eta)
+    : raster(fibres, from, antialias, eta) {
+  drawn_ = primitive::line;
+  float nearest = std::numeric_limits<float>::infinity();
+  float farthest = from.near_plane;
+  for (const projected& p : point_) {
+    const float depth = std::max(-p.z, from.near_plane);
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
+  }
+  if (bins > 0 && farthest > nearest) {
+    const auto count = static_cast<float>(bins);
+    line_depths_ = {nearest, (farthest - nearest) / count, count - 1.0F};
+  } else {
+    line_depths_ = {bins > 0 ? farthest : at, 0.0F, 0.0F};
+  }
+  // A line may be wider than its fibre is where it lies.
+  if (from.perspective)
+    stretch_ *= std::max(1.0F, 1.01F * (bins > 0 ? 1.0F + line_depths_.bin / nearest : farthest / at));
+}
+
 pixel_rect raster::bounds(std::uint32_t segment) const {
   const std::uint32_t i = fibres_.segment[segment];
   const outline<float> near = outline_of(point_[i], point_[i + 1], view_, stretch_);
@@ -77,6 +99,10 @@ depth_range raster::seen_depths(std::span<const float> limit) const {
 outline<float> raster::wide_outline_of(std::uint32_t segment) const {
   constexpr float margin = 0.75F;  // half a disc reaches beyond the fibre; the rest is for rounding
   const std::uint32_t i = fibres_.segment[segment];
+  if (drawn_ == primitive::line) {
+    return {0.0F,         0.0F, static_cast<float>(view_.width), static_cast<float>(view_.height), 0.0F, 0.0F, 0.0F,
+            any_distance, 0.0F};
+  }
   const float radius = std::max(point_[i].radius, point_[i + 1].radius);
   const segment_quad<float> quad =
       expand_segment(position_of(point_[i]), position_of(point_[i + 1]), radius, view_.cone, view_.near_plane, margin);

@@ -14,6 +14,7 @@
 
 #include "frame/model/strands.hpp"
 #include "frame/raster/fragment_lanes.hpp"
+#include "frame/raster/line_in_pixel.hpp"
 #include "frame/raster/outline.hpp"
 #include "frame/raster/segment_in_pixel.hpp"
 #include "frame/raster/view_opacity.hpp"
@@ -33,6 +34,11 @@ class raster {
   /// `eta`: fibres stop what clear ones of this index do, by their inclination to the view's rays; none: what the model
   /// says. Both references must outlive the raster. O(points), parallel.
   raster(const strands& fibres, const view& from, bool antialias, std::optional<float> eta = {});
+
+  /// The same of lines. `bins`: that the view's depths are divided into for their widths; 0: all lines have their width
+  /// at the depth `at`, as in a light's map.
+  raster(const strands& fibres, const view& from, bool antialias, std::uint32_t bins, float at,
+         std::optional<float> eta = {});
 
   /// The fragment of a segment in a pixel of the view.
   [[nodiscard]] pixel_fragment at(std::uint32_t segment, int x, int y) const;
@@ -88,6 +94,15 @@ class raster {
   class sweep;
   using projected = projected_point<float>;
 
+  /// What a segment leaves where the pixel's centre is (x, y).
+  template <class Real>
+  [[nodiscard, gnu::always_inline]] segment_in_pixel<Real> look(const projected_point<Real>& start,
+                                                                const projected_point<Real>& end, Real x,
+                                                                Real y) const {
+    if (drawn_ == primitive::line) return line_in_pixel(start, end, x, y, view_, line_depths_, antialias_);
+    return look_at(start, end, x, y, view_, antialias_);
+  }
+
   [[nodiscard]] static glm::vec3 position_of(const projected& p) { return {p.x, p.y, p.z}; }
   [[nodiscard]] static glm::vec2 pixel_of(const projected& p) { return {p.pixel_x, p.pixel_y}; }
 
@@ -97,6 +112,8 @@ class raster {
   const strands& fibres_;
   const view& view_;
   bool antialias_;
+  primitive drawn_ = primitive::segment;
+  line_depths line_depths_;
   float stretch_;
   view_opacity opacity_;
   big_array<projected> point_;
@@ -117,7 +134,7 @@ inline pixel_fragment raster::at(std::uint32_t segment, int x, int y) const {
   const std::uint32_t i = fibres_.segment[segment];
   const projected& a = point_[i];
   const projected& b = point_[i + 1];
-  const auto found = look_at(a, b, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, view_, antialias_);
+  const auto found = look(a, b, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
   return {segment, found.depth, found.coverage, found.along};
 }
 

@@ -221,8 +221,7 @@ inline drawn_fragments raster::sweep::drawn_at(integers place) const {
                                  picked(p.radius, lane),  picked(p.pixel_x, lane), picked(p.pixel_y, lane),
                                  picked(p.joint_x, lane), picked(p.joint_y, lane)};
   };
-  const auto found = look_at(own(start_), own(end_), as_floats(column) + pack(0.5F), as_floats(row) + pack(0.5F),
-                             from_.view_, from_.antialias_);
+  const auto found = from_.look(own(start_), own(end_), as_floats(column) + pack(0.5F), as_floats(row) + pack(0.5F));
   return {bits(found.coverage > pack(0.0F)),
           column,
           row,

@@ -133,6 +133,8 @@ plan plan_of(const frame_settings& s, bool camera) {
 }
 
 void check_settings(const frame_settings& s) {
+  if (s.drawn != primitive::segment)
+    throw std::runtime_error("--device vulkan: fibres are drawn by --primitive segment");
   if (s.shadow.method != shadow_method::k_buffer && s.shadow.method != shadow_method::occupancy) {
     throw std::runtime_error("--device vulkan: maps are made by --shadow k_buffer or occupancy");
   }

@@ -3,7 +3,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define STRIDE 16u
-#define RESULTS 33u
+#define RESULTS 34u
 #include "table.glsl"
 
 #include "pelage/glsl/core/vector_math.glsl"
@@ -52,4 +52,5 @@ void main() {
   const vec2 pixel = vec2(f(14u), f(12u));
   put(31u, pelage_past_joint(first, pixel));
   put(32u, pelage_owned_by_segment(first, second, pixel));
+  put(33u, pelage_mean_line_width_share(radius, disc));
 }

@@ -5,6 +5,7 @@
 #define PELAGE_COVERAGE_LINE_WIDTH_GLSL
 
 #include "../core/math.glsl"
+#include "../core/real_number.glsl"
 
 /// How much longer a line is than the row of pixels that draws it: √(x² + y²) / max(|x|, |y|), [1, √2].
 /// A line of one pixel per row or column leaves 1 pixel for every √2 of a diagonal.
@@ -12,15 +13,26 @@
 precise float pelage_diagonal_ratio(vec2 extent);
 
 /// The coverage to give every pixel of a one-pixel line so that it weighs as much as the fibre, [0, 1]: the fibre's
-/// width w in pixels times the diagonal ratio. [Svoboda §1.2.3, Eq. 1.1, which has the same Rat = (1 + √2)/2 - w/4 for
-/// all angles: 21 % too much at 0° and 15 % too little at 45° for a thin line; ours is right at each] The cheap
-/// alternative to pelage_disc_strip_share: no position inside the pixel, so right on average along a line up to a width
-/// of 0.7 pixels, wrong in each pixel. Over all angles and offsets its RMS error against pelage_disc_strip_share in the
-/// pixels that it draws is 0.012, 0.051, 0.142 and 0.229 for fibres of 0.05, 0.2, 0.5 and 1 pixel.
+/// width w in pixels times the diagonal ratio, right at each angle; pelage_mean_line_width_share() is the thesis's own.
+/// The cheap alternative to pelage_disc_strip_share: no position inside the pixel, so right on average along a line up
+/// to a width of 0.7 pixels, wrong in each pixel. Over all angles and offsets its RMS error against
+/// pelage_disc_strip_share in the pixels that it draws is 0.012, 0.051, 0.142 and 0.229 for fibres of 0.05, 0.2, 0.5
+/// and 1 pixel.
 ///
 /// `fibre_radius` and `pixel_radius` (half a pixel) in one length unit at the segment's depth. Fibres wider than the
 /// line saturate at 1. A pixel of radius 0, or a NaN radius: 0.
 precise float pelage_line_width_share(vec2 extent, float fibre_radius, float pixel_radius);
+
+/// Svoboda's Rat = (1 + √2)/2 - w/4 for fibres of width w in pixels, [0, 1]: the mean of what a fibre through a pixel's
+/// middle covers of it along a row, w, and along its diagonal, √2 w - w²/2, over w.
+precise float pelage_mean_diagonal_ratio(float width);
+
+/// The coverage w Rat that the thesis gives every pixel of a one-pixel line, whatever its angle, [0, 1]. [Svoboda
+/// §1.2.3, Eq. 1.1, without the opacity C_f] It is meant for w up to 1; wider fibres have 1, and lines as wide as they.
+/// For a fibre through the pixel's middle it is within (3 - 2 √2)/4 = 0.043 of what it covers of the pixel's square, at
+/// any angle. A line of one pixel a column then weighs too much along rows and too little along diagonals: 21 % and 15
+/// % for a thin fibre, -4 % and 32 % at w = 1. Parameters, and what 0 and NaN do, as in pelage_line_width_share().
+precise float pelage_mean_line_width_share(float fibre_radius, float pixel_radius);
 
 // ---------------------------------------------------------------------------------------------------------
 
@@ -41,6 +53,16 @@ precise float pelage_line_width_share(vec2 extent, float fibre_radius, float pix
     return 0.0;
   }
   return pelage_saturate(fibre_radius / pixel_radius * pelage_diagonal_ratio(extent));
+}
+
+precise float pelage_mean_diagonal_ratio(float width) {
+  return 1.2071067811865475 - 0.25 * width;
+}
+
+precise float pelage_mean_line_width_share(float fibre_radius, float pixel_radius) {
+  const float width = fibre_radius / pixel_radius;
+  const float share = pelage_select(width > 1.0, 1.0, pelage_saturate(width * pelage_mean_diagonal_ratio(width)));
+  return pelage_select(fibre_radius > 0.0, pelage_select(pixel_radius > 0.0, share, 0.0), 0.0);
 }
 
 #endif
