@@ -56,7 +56,6 @@ void check_drawn_on(bool device, const CLI::Option* spacing, float pixels, const
   if (device && spacing->count() > 0 && pixels != std::numeric_limits<float>::infinity()) {
     throw std::invalid_argument("--shading-spacing: --device vulkan shades the ends of segments alone, as inf does");
   }
-  if (device && turns) throw std::invalid_argument("--turn: --device vulkan draws from one side");
   if (!device && !turns && frames->count() > 0) {
     throw std::invalid_argument("--frames needs --device vulkan or --turn");
   }

@@ -97,6 +97,8 @@ nlohmann::json report_of(const device_frame& frame) {
           {"same_hash", frame.same},
           {"hash", fmt::format("{:016x}", frame.hash)},
           {"device_bytes", frame.bytes},
+          {"slice_sorts", frame.sorts},
+          {"slice_sort_seconds", frame.sort_seconds},
           {"views", views},
           {"passes", passes}};
 }
@@ -159,7 +161,7 @@ void run(const command_line& c) {
   std::string said =
       fmt::format("{}: {} strands, {} segments, ", printable(out), model.strand_count(), model.segment_count());
   if (c.on_device) {
-    device_frame frame = draw_frame_on_device(model, c.settings, c.frames);
+    device_frame frame = draw_frame_on_device(model, c.settings, c.frames, c.turn);
     report.update(report_of(frame));
     said += fmt::format("{:.3f} ms on {}, {} of {} frames are {:016x}\n", frame.milliseconds, frame.device, frame.same,
                         frame.frames, frame.hash);

@@ -54,17 +54,26 @@ double sum_of(const std::vector<double>& milliseconds, const std::vector<std::si
 
 }  // namespace
 
-device_frame draw_frame_on_device(const hair_model& model, const frame_settings& settings, std::uint32_t frames) {
+device_frame draw_frame_on_device(const hair_model& model, const frame_settings& settings, std::uint32_t frames,
+                                  float degrees) {
   check_settings(settings);
-  const stage set = set_up(model, settings);
+  stage set = set_up(model, settings);
+  frame_settings now = settings;
+  const glm::vec2 first = set.from;
   session on(set, settings);
   device_frame result{image(settings.width, settings.height), on.device_name(), {}, {}, 0, on.bytes(), 0, frames, 0};
-  const std::vector<pass_of> passes = passes_of(on.frame().names);
+  std::vector<pass_of> passes = passes_of(on.frame().names);
   std::vector<std::vector<double>> times(passes.size());
   std::vector<double> whole;
   for (std::uint32_t f = 0; f < frames / 10; ++f)
     (void)on.draw();
   for (std::uint32_t f = 0; f < frames; ++f) {
+    if (degrees != 0.0F && f > 0) {
+      now.from = turned(first, degrees, f);
+      move_camera(set, model, now);
+      on.move_camera(now);
+      passes = passes_of(on.frame().names);  // with other steps
+    }
     const std::vector<double> milliseconds = on.draw();
     for (std::size_t p = 0; p < passes.size(); ++p)
       times[p].push_back(sum_of(milliseconds, passes[p].steps));
@@ -79,6 +88,8 @@ device_frame draw_frame_on_device(const hair_model& model, const frame_settings&
     result.passes.push_back({passes[p].view, passes[p].name, median(times[p])});
   result.milliseconds = median(whole);
   result.views = on.read_fragments();
+  result.sorts = set.slices.sorts;
+  result.sort_seconds = set.slices.sort_seconds;
   return result;
 }
 

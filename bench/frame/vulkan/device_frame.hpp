@@ -31,6 +31,8 @@ struct device_frame {
   std::uint64_t hash;            ///< of the first picture's bits
   std::uint32_t frames;          ///< timed, after a tenth as many to warm up
   std::uint32_t same;            ///< of those, how many have that hash
+  std::uint32_t sorts = 0;       ///< of the slices' order
+  double sort_seconds = 0;       ///< what they took
 };
 
 using pelage::vulkan::no_device;
@@ -38,9 +40,10 @@ using pelage::vulkan::no_device;
 /// Draws a frame on a Vulkan device, all of it from strands to picture: that of draw_frame() except for rounding, where
 /// segments are lit at their ends alone, whatever the settings' shading_spacing.
 ///
-/// `frames`: [1, inf). Throws no_device; std::runtime_error, one line, for too little memory, a model too large for the
-/// device, and what its shaders do not have; and as draw_frame().
+/// `frames`: [1, inf). `degrees`: as draw_turn() has them, and then each frame's passes are those of a place of its
+/// own. Throws no_device; std::runtime_error, one line, for too little memory, a model too large for the device, and
+/// what its shaders do not have; and as draw_frame().
 [[nodiscard]] device_frame draw_frame_on_device(const hair_model& model, const frame_settings& settings,
-                                                std::uint32_t frames);
+                                                std::uint32_t frames, float degrees = 0.0F);
 
 }  // namespace pelage::frame

@@ -117,6 +117,20 @@ plan plan_by_peeling() {
   return p;
 }
 
+/// The segments of each slice drawn to lists, which are empty again once they are blended. Every point is lit, as
+/// before peeling.
+plan plan_by_slices() {
+  plan p{};
+  p.clear = {{"seen", seen_buffer, 1}, {"links", link_buffer, 0xffffffffU}};
+  p.build = {{"clear_fronts", over::pixels}};
+  p.slice = {{"push_slice", over::segments}, {"blend_slice", over::pixels}};
+  p.finish = {{"resolve_layers", over::pixels}};
+  p.pool = true;
+  p.lists = 1;
+  p.blended = 8;
+  return p;
+}
+
 }  // namespace
 
 std::string shading_kernel(const fibre_look& look) {
@@ -129,6 +143,7 @@ plan plan_of(const frame_settings& s, bool camera) {
   if (!camera) return plan_of_lights(s);
   if (s.blend.method == blend_method::order_weighted) return plan_by_weight();
   if (s.blend.method == blend_method::depth_peeling) return plan_by_peeling();
+  if (s.blend.method == blend_method::sliced) return plan_by_slices();
   return plan_by_order(s, true);
 }
 
@@ -139,8 +154,9 @@ void check_settings(const frame_settings& s) {
     throw std::runtime_error("--device vulkan: maps are made by --shadow k_buffer or occupancy");
   }
   if (s.blend.method != blend_method::k_buffer && s.blend.method != blend_method::order_weighted &&
-      s.blend.method != blend_method::depth_peeling) {
-    throw std::runtime_error("--device vulkan: pixels are made by --blend k_buffer, order_weighted or depth_peeling");
+      s.blend.method != blend_method::depth_peeling && s.blend.method != blend_method::sliced) {
+    throw std::runtime_error(
+        "--device vulkan: pixels are made by --blend k_buffer, order_weighted, depth_peeling or sliced:N");
   }
   if (std::find(std::begin(any_k), std::end(any_k), s.k) == std::end(any_k)) {
     throw std::runtime_error("--device vulkan: --k must be 4, 8, 16, 32 or 64");

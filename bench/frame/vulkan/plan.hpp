@@ -26,6 +26,7 @@ struct plan {
   std::vector<clearing> clear;
   std::vector<pass> build;   ///< puts fragments into the structure, before the camera's fibres are lit
   std::vector<pass> layer;   ///< then, as many times as the deepest pixel has fragments
+  std::vector<pass> slice;   ///< or as many times as there are slices with segments; `segments` are the slice's
   std::vector<pass> finish;  ///< last: takes them out
   bool pool;                 ///< the structure holds each fragment
   bool runs;                 ///< in runs, and its passes work for several views at once

@@ -25,7 +25,7 @@ const device_options wanted{
     .application = "pelage-frame",
     .bindings = buffer_count,
     .has_uniforms = true,
-    .push_bytes = 16,
+    .push_bytes = 24,
     .gpu_workgroup = 256,
     .timed = true,
     .validate = false,
@@ -44,6 +44,7 @@ session::session(const stage& set, const frame_settings& settings)
     : device_(wanted),
       set_(set),
       k_(settings.k),
+      sorts_(set.slices.sorts),
       shadows_(has_shadows(settings.shown)),
       lookup_(settings.lookup == map_lookup::jittered ? "_jittered" : ""),
       light_plan_(plan_of(settings, false)),
@@ -57,11 +58,26 @@ session::session(const stage& set, const frame_settings& settings)
   }
   device_.resize(scene_buffer, sizeof constants_);
   upload_constants();
-  upload_fibres(device_, set.fibres, set.drawing_order);
-  if (constants_.eta > 0.0F) {
-    device_.resize(opacity_buffer, (set.lights.size() + 1) * set.fibres.point.size() * sizeof(float));
-  }
+  upload_strands();
   upload_bsdf(device_, make_bsdf(set, settings.look), set.fibres.point.size());
+  make_buffers();
+}
+
+/// What depends on the order of drawing, and room for what fibres stop in each view.
+void session::upload_strands() {
+  upload_fibres(device_, set_.fibres, set_.slices.slices > 0 ? set_.slices.segments : set_.drawing_order);
+  if (constants_.eta > 0.0F) {
+    device_.resize(opacity_buffer, (set_.lights.size() + 1) * set_.fibres.point.size() * sizeof(float));
+  }
+}
+
+void session::move_camera(const frame_settings& settings) {
+  constants_ = make_scene_block(set_, settings);
+  upload_constants();
+  if (set_.slices.sorts != sorts_) upload_strands();
+  sorts_ = set_.slices.sorts;
+  frame_ = {};
+  capacity_ = 0;
   make_buffers();
 }
 
@@ -134,6 +150,19 @@ void session::run(named_steps& to, const view_range& views, const std::string& k
 void session::run(named_steps& to, const view_range& views, const std::vector<plan::pass>& passes) const {
   for (const plan::pass& p : passes)
     run(to, views, p.kernel, p.what);
+}
+
+void session::run_slices(named_steps& to, const view_range& views, const std::vector<plan::pass>& passes) const {
+  const std::vector<std::uint32_t>& first = set_.slices.first;
+  for (std::size_t slice = 0; slice + 1 < first.size(); ++slice) {
+    if (first[slice] == first[slice + 1]) continue;
+    for (const plan::pass& p : passes) {
+      run(to, views, p.kernel, p.what);
+      step& added = to.steps.back();
+      added.push.insert(added.push.end(), {first[slice], first[slice + 1]});
+      if (p.what == over::segments) added.invocations = first[slice + 1] - first[slice];
+    }
+  }
 }
 
 void session::upload_constants() {
@@ -273,6 +302,7 @@ void session::finish(const view_range& views) {
   }
   for (std::uint32_t layer = 0; layer < layers; ++layer)
     run(frame_, views, p.layer);
+  if (!p.slice.empty()) run_slices(frame_, views, p.slice);
   run(frame_, views, p.finish);
 }
 

@@ -41,6 +41,8 @@ class session {
   [[nodiscard]] std::uint64_t bytes() const { return device_.bytes(); }
   [[nodiscard]] const named_steps& frame() const { return frame_; }
   [[nodiscard]] std::vector<double> draw() { return device_.run(frame_.steps); }
+  /// After the stage's camera has moved: all that depends on it anew.
+  void move_camera(const frame_settings& settings);
   void read_picture(image& picture);
   /// One a light with shadows, then the camera's.
   [[nodiscard]] std::vector<device_frame::fragments> read_fragments();
@@ -81,9 +83,11 @@ class session {
             std::uint32_t value) const;
   void run(named_steps& to, const view_range& views, const std::string& kernel, over what) const;
   void run(named_steps& to, const view_range& views, const std::vector<plan::pass>& passes) const;
+  void run_slices(named_steps& to, const view_range& views, const std::vector<plan::pass>& passes) const;
 
   void check_device() const;
   void upload_constants();
+  void upload_strands();
   void make_buffers();
   [[nodiscard]] std::vector<view_report> run_and_read(const named_steps& steps);
   void begin(named_steps& to) const;
@@ -97,6 +101,7 @@ class session {
   device device_;
   const stage& set_;
   std::uint32_t k_;
+  std::uint32_t sorts_;  ///< of the slices, when segments were uploaded
   bool shadows_;
   std::string lookup_;  ///< at the end of the name of the kernel that lights fibres
   plan light_plan_;

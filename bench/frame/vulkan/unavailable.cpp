@@ -4,7 +4,7 @@
 
 namespace pelage::frame {
 
-device_frame draw_frame_on_device(const hair_model&, const frame_settings&, std::uint32_t) {
+device_frame draw_frame_on_device(const hair_model&, const frame_settings&, std::uint32_t, float) {
   throw no_device("--device vulkan: this program was built without Vulkan's headers or without glslc");
 }
 

@@ -104,10 +104,15 @@ void end_drawing() {
 #endif
 }
 
-/// Draws this invocation's segment, as it is numbered. Every invocation calls it.
+/// Draws this invocation's segment, as it is numbered; of the slice alone (SLICED). Every invocation calls it.
 void draw_segments() {
+#ifdef SLICED
+  const uint number = push.first_segment + invocation();
+  const bool is_segment = number < push.end_segment;
+#else
   const uint number = invocation();
   const bool is_segment = number < scene.segment_count;
+#endif
   const uint word = is_segment ? segments[number] : begins_strand | ends_strand;
   begin_drawing(word & point_mask);
   pixel_walk w = walk_of(word, own_segment);

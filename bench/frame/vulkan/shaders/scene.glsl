@@ -9,10 +9,12 @@
 layout(local_size_x_id = 0) in;
 
 layout(push_constant) uniform push_block {
-  uint view;      ///< which of scene.views, of a dispatch for several the first
-  uint capacity;  ///< fragments that the pool holds
-  uint lists;     ///< a pixel's lists, of the methods that have them
-  uint k;         ///< fragments kept a pixel, for the methods that are not compiled for one
+  uint view;           ///< which of scene.views, of a dispatch for several the first
+  uint capacity;       ///< fragments that the pool holds
+  uint lists;          ///< a pixel's lists, of the methods that have them
+  uint k;              ///< fragments kept a pixel, for the methods that are not compiled for one
+  uint first_segment;  ///< of the slice that is drawn
+  uint end_segment;
 } push;
 
 struct view_block {
