@@ -197,6 +197,10 @@ template void atomic_opacity_map::add<opacity_map<16u>>(cells&, std::uint32_t, f
 template void atomic_opacity_map::add<opacity_map<13u>>(cells&, std::uint32_t, float, std::uint32_t) noexcept;
 template opacity_map<16u> atomic_opacity_map::load(const cells&, std::uint32_t) noexcept;
 template opacity_map<13u> atomic_opacity_map::load(const cells&, std::uint32_t) noexcept;
+template void layer_sums::add(cells&, std::uint32_t, std::uint32_t, float, std::uint32_t) noexcept;
+template void layer_sums::accumulate(cells&, std::uint32_t, std::uint32_t) noexcept;
+template float layer_sums::accumulated_before(const cells&, std::uint32_t, std::uint32_t, float,
+                                              std::uint32_t) noexcept;
 template struct density_clusters<4u>;
 template struct density_clusters<3u>;
 template void atomic_density_clusters::add<density_clusters<4u>>(cells&, std::uint32_t, float) noexcept;

@@ -166,6 +166,25 @@ TEST_CASE("a weight of order falls with the order, an opaque fragment hides all 
   CHECK(optical_weight(0.5f, 1048576.0f) == 0.25f);
 }
 
+TEST_CASE("unscaled, a sum is its weights times colours, and the background by the exact product") {
+  holds("any layers, any weights", [] {
+    const std::vector<layer> layers = draw_layers();
+    const glm::vec3 background(0.25f, 0.5f, 1.0f);
+    tail sum = empty_tail();
+    glm::dvec3 expected(0.0);
+    double passed = 1.0;
+    for (const layer& each : layers) {
+      const float weight = static_cast<float>(*rc::gen::inRange(0, 1001)) / 1000.0f;
+      sum = add_weighted(sum, each.alpha, weight, each.colour);
+      expected += static_cast<double>(weight) * glm::dvec3(each.colour);
+      passed *= 1.0 - static_cast<double>(each.alpha);
+    }
+    expected += passed * glm::dvec3(background);
+    RC_ASSERT(distance(resolve_unscaled(sum, background), expected) < 1e-5 * (1.0 + glm::length(expected)));
+  });
+  CHECK(resolve_unscaled(empty_tail(), glm::vec3(0.25f)) == glm::vec3(0.25f));
+}
+
 TEST_CASE("weights that are none count as none") {
   for (const float weight : {nan, -1.0f, 0.0f}) {
     const tail t = add_weighted(empty_tail(), 0.5f, weight, glm::vec3(1.0f));

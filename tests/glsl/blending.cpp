@@ -60,6 +60,7 @@ void blending_row(row in, results& out) {
   for (const std::uint32_t sum : {weighted.optical, weighted.weight, weighted.red, weighted.green, weighted.blue})
     out.put(sum);
   out.put(resolve(weighted, background));
+  out.put(resolve_unscaled(weighted, background));
   for (const std::uint32_t sum : {average.count, average.sums.optical, average.sums.weight, average.sums.red})
     out.put(sum);
   out.put(average.transmittance());
@@ -103,7 +104,7 @@ TEST_CASE("Blending without sorting has the same sums on every device, its colou
     }
   }
   columns.insert(columns.end(), {{"add_weighted", 5, bits(), bits()},
-                                 {"resolve of weighted sums", 3, 0, 4},
+                                 {"resolve, resolve_unscaled of weighted sums", 6, 0, 4},
                                  {"weighted_average add, merge", 4, bits(), bits()},
                                  {"weighted_average transmittance", 1, 0, 64, 1.0F},
                                  {"weighted_average resolve", 3, 0, 64, 1.0F},

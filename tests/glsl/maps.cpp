@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <span>
 #include <vector>
 
@@ -28,8 +29,10 @@ constexpr std::uint32_t layers = 16;
 constexpr std::uint32_t clusters = 4;
 constexpr std::uint32_t samples = 16;
 constexpr std::uint32_t sums = tail_words();
+constexpr std::uint32_t run_time_layers = 40;
+constexpr std::uint32_t run_time_cells = layer_sums::texel_cells(run_time_layers);
 constexpr std::uint32_t cells_of_texel =
-    range_cells + occupancy::cells + layers + density_clusters<clusters>::cells + samples + sums;
+    range_cells + occupancy::cells + layers + density_clusters<clusters>::cells + samples + sums + run_time_cells;
 
 /// All maps of all texels, one kind behind the other as the kernel has them.
 struct map_cells {
@@ -45,7 +48,7 @@ struct map_cells {
   }
 
   explicit map_cells(std::uint32_t n) : texels(n), cells(n * cells_of_texel) {
-    const std::uint32_t before = cells_of_texel - samples - sums;
+    const std::uint32_t before = cells_of_texel - samples - sums - run_time_cells;
     std::fill_n(cells.begin() + before * n, samples * n, 0xffffffffU);
   }
 
@@ -65,6 +68,8 @@ struct map_cells {
     atomic_stochastic_depths::add<stochastic_depths<samples>>(stochastic, texel, f, share, 7U);
     atomic_cells<std::uint32_t> tails = next(sums);
     atomic_tail::add(tails, texel, one);
+    atomic_cells<std::uint32_t> run_time = next(run_time_cells);
+    layer_sums::add(run_time, texel * run_time_cells, run_time_layers, share * 40.0F, f.id);
   }
 
   /// What loading a texel gives, map after map.
@@ -86,6 +91,13 @@ struct map_cells {
     give(density.squares);
     give(atomic_stochastic_depths::load<stochastic_depths<samples>>(next(samples), texel).nearest);
     give_tail(atomic_tail::load(next(sums), texel));
+    atomic_cells<std::uint32_t> run_time = next(run_time_cells);
+    const std::uint32_t first = texel * run_time_cells;
+    layer_sums::accumulate(run_time, first, run_time_layers);
+    for (std::uint32_t i = 0; i < run_time_layers; ++i) {
+      const float amount = layer_sums::accumulated_before(run_time, first, run_time_layers, static_cast<float>(i), 0U);
+      all.push_back(std::bit_cast<std::uint32_t>(amount));
+    }
     return all;
   }
 };

@@ -74,6 +74,7 @@ void maps_row(row in, results& out) {
   opacity.accumulate();
   put(out, opacity.amount);
   out.put(opacity.accumulated_before(slice_position(look, 16U)));
+  out.put(opacity.accumulated_before_fragment(slice_position(look, 16U), in.u(1)));
   out.put(clusters.count_before(slice_position(look, 4U)));
   const float offset = in.f(2 * fragments + 1);
   const float width = in.f(2 * fragments + 2);
@@ -140,7 +141,7 @@ TEST_CASE("Maps have the same bits on every device, look-ups in them differ by t
              {"occupancy_map amount_before, 96 slices", 1, 0, 4},
              {"opacity_map amount_before, amount_before_fragment", 2, 0, 0},
              {"opacity_map accumulate", 16, bits(), bits()},
-             {"opacity_map accumulated_before", 1, 0, 0},
+             {"opacity_map accumulated_before, accumulated_before_fragment", 2, 0, 0},
              {"density_clusters count_before", 1, 0, 256, 1.0F},  // its variances cancel
              {"depth_range nearest_depth, farthest_depth", 2, 0, 0},
              {"depth_range relative", 1, 0, 3},

@@ -31,5 +31,12 @@ namespace pelage::inline PELAGE_ABI {
   return mean_colour(t) * (1.0f - passed) + background * passed;
 }
 
+/// The sum as it is, without Λ: Σ weight · colour before a background, as blendings by an estimated visibility have it
+/// [Yu12 Fig. 8's deep opacity maps]. Brighter or darker than the truth by as much as the weights' sum is off Λ.
+[[nodiscard]] inline glm::vec3 resolve_unscaled(const tail& t, const glm::vec3& background) noexcept {
+  const glm::vec3 sum(static_cast<float>(t.red), static_cast<float>(t.green), static_cast<float>(t.blue));
+  return sum * (1.0f / 1048576.0f) + background * transmittance_of(t);
+}
+
 }  // namespace pelage
 #include <pelage/core/exact_end.hpp>

@@ -13,6 +13,21 @@
 
 namespace pelage::inline PELAGE_ABI {
 
+namespace detail {
+
+/// The sum up to a place inside a layer, from those up to its begin and through its end: a line between the two. `own`:
+/// what of the layer is left out.
+[[nodiscard]] constexpr float sum_inside(std::uint32_t before, std::uint32_t through, std::uint32_t own,
+                                         float inside) noexcept {
+  const std::uint32_t held = through - before;
+  const std::uint32_t others = held > own ? held - own : 0u;
+  const float most = static_cast<float>(before + others);
+  const float sum = static_cast<float>(before) + inside * static_cast<float>(others);
+  return sum < most ? sum : most;
+}
+
+}  // namespace detail
+
 /// One texel of an opacity map: a sum for each layer. With slice_position() it is an opacity shadow map
 /// [Kim & Neumann 2001], with equal_layer_position() or growing_layer_position() a deep opacity map
 /// [Yuksel & Keyser 2008; Svoboda §1.5.4].
@@ -88,12 +103,15 @@ struct opacity_map {
 
   /// amount_before() of a map after accumulate(), up to rounding: two sums and a line between them. O(1).
   [[nodiscard]] constexpr float accumulated_before(float position) const noexcept {
+    return accumulated_before_fragment(position, 0u);
+  }
+
+  /// The same for a fragment that is in the map itself, with `own` added, which is left out of its layer: exact where
+  /// its layer holds no other. Never above accumulated_before(). O(1).
+  [[nodiscard]] constexpr float accumulated_before_fragment(float position, std::uint32_t own) const noexcept {
     const std::uint32_t layer = layer_at(position, Layers);
     const std::uint32_t before = layer > 0u ? amount[layer - 1u] : 0u;
-    const float most = static_cast<float>(amount[layer]);
-    const float inside = position - static_cast<float>(layer);
-    const float sum = static_cast<float>(before) + inside * static_cast<float>(amount[layer] - before);
-    return sum < most ? sum : most;
+    return detail::sum_inside(before, amount[layer], own, position - static_cast<float>(layer));
   }
 };
 
@@ -119,6 +137,48 @@ template <class Map, cell_storage Storage>
 }
 
 }  // namespace atomic_opacity_map
+
+/// A texel whose number of layers is known at run time alone, [1, 2³¹]: texel_cells(layers) cells of a storage from
+/// `first` on, all 0 at first; a sum a layer, then a bit for each sum that passed 2³² - 1. Many threads fill it at
+/// once, then, behind a barrier, one thread calls accumulate(), then look-ups read two cells, however many layers there
+/// are. Gives the bits of an opacity_map with as many.
+namespace layer_sums {
+
+/// 4 bytes each.
+[[nodiscard]] constexpr std::uint32_t texel_cells(std::uint32_t layers) noexcept {
+  return layers + (layers + 31u) / 32u;
+}
+
+/// opacity_map::add(). Wait-free where the hardware adds atomically; memory orders: (1) and (2) of add_and_mark().
+template <cell_storage Storage>
+void add(Storage& storage, std::uint32_t first, std::uint32_t layers, float position, std::uint32_t added) noexcept {
+  PELAGE_ASSERT(first <= storage.size() && texel_cells(layers) <= storage.size() - first);
+  const std::uint32_t layer = layer_at(position, layers);
+  add_and_mark(storage, first + layer, added, first + layers + layer / 32u, 1u << (layer % 32u));
+}
+
+/// opacity_map::accumulate(). O(layers). Not concurrent with anything else of the texel.
+template <cell_storage Storage>
+void accumulate(Storage& storage, std::uint32_t first, std::uint32_t layers) noexcept {
+  std::uint32_t sum = 0u;
+  for (std::uint32_t i = 0u; i < layers; ++i) {
+    sum = add_saturating(sum, load_marked(storage, first + i, first + layers + i / 32u, 1u << (i % 32u)));
+    raise_cell(storage, first + i, sum);
+  }
+}
+
+/// opacity_map::accumulated_before_fragment(); with `own` 0 accumulated_before(). O(1). Not concurrent with add() and
+/// accumulate().
+template <cell_storage Storage>
+[[nodiscard]] float accumulated_before(const Storage& storage, std::uint32_t first, std::uint32_t layers,
+                                       float position, std::uint32_t own) noexcept {
+  const std::uint32_t layer = layer_at(position, layers);
+  const std::uint32_t through = storage.load(first + layer, std::memory_order_relaxed);
+  const std::uint32_t before = layer > 0u ? storage.load(first + layer - 1u, std::memory_order_relaxed) : 0u;
+  return detail::sum_inside(before, through, own, position - static_cast<float>(layer));
+}
+
+}  // namespace layer_sums
 
 }  // namespace pelage
 #include <pelage/core/exact_end.hpp>

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define FRAGMENTS 8u
 #define STRIDE (3u * FRAGMENTS + 7u)
-#define RESULTS 84u
+#define RESULTS 87u
 #include "table.glsl"
 
 #define PELAGE_ATOMIC_CELLS_WORDS(i) results[i]
@@ -70,6 +70,7 @@ void main() {
   give(tail.green);
   give(tail.blue);
   give(pelage_resolve(tail, colour.zyx));
+  give(pelage_resolve_unscaled(tail, colour.zyx));
   give(average.count);
   give(average.sums.optical);
   give(average.sums.weight);

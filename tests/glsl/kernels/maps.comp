@@ -43,7 +43,7 @@ void give(pelage_tail tail) {
 
 void use(uint texel) {
   if (texel >= texels) return;
-  next = texel * (2u + pelage_occupancy_map_cells - 1u + 16u + pelage_density_clusters_cells + 16u + 5u);
+  next = texel * (2u + pelage_occupancy_map_cells - 1u + 16u + pelage_density_clusters_cells + 16u + 5u + 40u);
   const pelage_depth_range range = pelage_atomic_depth_range_load(texel);
   give(range.nearest);
   give(range.farthest);
@@ -64,6 +64,10 @@ void use(uint texel) {
   for (uint i = 0u; i < 16u; ++i) give(depths.nearest[i]);
   base += 16u * texels;
   give(pelage_atomic_tail_load(texel));
+  base += 6u * texels;
+  const uint first = texel * pelage_layer_sums_texel_cells(40u);
+  pelage_layer_sums_accumulate(first, 40u);
+  for (uint i = 0u; i < 40u; ++i) give(floatBitsToUint(pelage_layer_sums_accumulated_before(first, 40u, float(i), 0u)));
 }
 #else
 void use(uint i) {
@@ -82,6 +86,8 @@ void use(uint i) {
   pelage_atomic_stochastic_depths_add(texel, f, share, 7u);
   base += 16u * texels;
   pelage_atomic_tail_add(texel, one);
+  base += 6u * texels;
+  pelage_layer_sums_add(texel * pelage_layer_sums_texel_cells(40u), 40u, share * 40.0, f.id);
 }
 #endif
 

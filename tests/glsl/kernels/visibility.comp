@@ -5,7 +5,7 @@
 // Maps of one invocation, and an occupancy map of a second size.
 #define FRAGMENTS 12u
 #define STRIDE (2u * FRAGMENTS + 10u)
-#define RESULTS 93u
+#define RESULTS 94u
 #include "table.glsl"
 
 // No invocation here writes to a cell that others see: the maps are structs.
@@ -83,6 +83,7 @@ void main() {
   pelage_opacity_map_accumulate(opacity);
   for (uint i = 0u; i < 16u; ++i) give(opacity.amount[i]);
   give(pelage_opacity_map_accumulated_before(opacity, pelage_slice_position(look, 16u)));
+  give(pelage_opacity_map_accumulated_before_fragment(opacity, pelage_slice_position(look, 16u), u(1u)));
   give(pelage_density_clusters_count_before(clusters, pelage_slice_position(look, 4u)));
   const float offset = f(2u * FRAGMENTS + 1u);
   const float width = f(2u * FRAGMENTS + 2u);

@@ -29,4 +29,11 @@ precise vec3 pelage_resolve(pelage_tail t, vec3 background) {
   return pelage_mean_colour(t) * (1.0 - passed) + background * passed;
 }
 
+/// The sum as it is, without Λ: Σ weight · colour before a background, as blendings by an estimated visibility have it
+/// [Yu12 Fig. 8's deep opacity maps]. Brighter or darker than the truth by as much as the weights' sum is off Λ.
+precise vec3 pelage_resolve_unscaled(pelage_tail t, vec3 background) {
+  const vec3 sum = vec3(float(t.red), float(t.green), float(t.blue));
+  return sum * (1.0 / 1048576.0) + background * pelage_transmittance_of(t);
+}
+
 #endif

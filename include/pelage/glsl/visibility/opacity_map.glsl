@@ -18,6 +18,8 @@
 #define pelage_opacity_map PELAGE_PASTE(PELAGE_PREFIX, _opacity_map)
 #define pelage_opacity_map_accumulate PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_accumulate)
 #define pelage_opacity_map_accumulated_before PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_accumulated_before)
+#define pelage_opacity_map_accumulated_before_fragment \
+  PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_accumulated_before_fragment)
 #define pelage_opacity_map_add PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_add)
 #define pelage_opacity_map_amount_before PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_amount_before)
 #define pelage_opacity_map_amount_before_fragment PELAGE_PASTE(PELAGE_PREFIX, _opacity_map_amount_before_fragment)
@@ -36,6 +38,25 @@ uint[PELAGE_OPACITY_MAP_LAYERS] PELAGE_OPACITY_MAP_LAYERS_has_one_value_in_a_sha
 
 /// A texel that many threads fill at once: cells [texel · Map::cells, (texel + 1) · Map::cells) of the storage, all 0
 /// at first, for Map = pelage_opacity_map.
+
+/// A texel whose number of layers is known at run time alone, [1, 2³¹]: pelage_layer_sums_texel_cells(layers) cells of
+/// a storage from `first` on, all 0 at first; a sum a layer, then a bit for each sum that passed 2³² - 1. Many threads
+/// fill it at once, then, behind a barrier, one thread calls pelage_layer_sums_accumulate(), then look-ups read two
+/// cells, however many layers there are. Gives the bits of an pelage_opacity_map with as many.
+
+#ifndef PELAGE_VISIBILITY_OPACITY_MAP_GLSL_ONCE
+
+/// The sum up to a place inside a layer, from those up to its begin and through its end: a line between the two. `own`:
+/// what of the layer is left out.
+precise float pelage_detail_sum_inside(uint before, uint through, uint own, float inside) {
+  const uint held = through - before;
+  const uint others = held > own ? held - own : 0u;
+  const float most = float(before + others);
+  const float sum = float(before) + inside * float(others);
+  return sum < most ? sum : most;
+}
+
+#endif
 
 const uint pelage_opacity_map_cells = PELAGE_OPACITY_MAP_LAYERS;  ///< a texel, for a cell_storage
 
@@ -110,15 +131,20 @@ void pelage_opacity_map_accumulate(inout pelage_opacity_map self) {
   }
 }
 
+precise float pelage_opacity_map_accumulated_before_fragment(pelage_opacity_map self, float position, uint own);
+
 /// pelage_opacity_map_amount_before() of a map after pelage_opacity_map_accumulate(), up to rounding: two sums and a
 /// line between them. O(1).
-precise float pelage_opacity_map_accumulated_before(pelage_opacity_map self, float position) {
+float pelage_opacity_map_accumulated_before(pelage_opacity_map self, float position) {
+  return pelage_opacity_map_accumulated_before_fragment(self, position, 0u);
+}
+
+/// The same for a fragment that is in the map itself, with `own` added, which is left out of its layer: exact where
+/// its layer holds no other. Never above pelage_opacity_map_accumulated_before(). O(1).
+precise float pelage_opacity_map_accumulated_before_fragment(pelage_opacity_map self, float position, uint own) {
   const uint layer = pelage_layer_at(position, PELAGE_OPACITY_MAP_LAYERS);
   const uint before = layer > 0u ? self.amount[layer - 1u] : 0u;
-  const float most = float(self.amount[layer]);
-  const float inside = position - float(layer);
-  const float sum = float(before) + inside * float(self.amount[layer] - before);
-  return sum < most ? sum : most;
+  return pelage_detail_sum_inside(before, self.amount[layer], own, position - float(layer));
 }
 
 /// pelage_opacity_map_add(). Lock-free; memory orders: core/atomic_cells.glsl.
@@ -135,12 +161,49 @@ pelage_opacity_map pelage_atomic_opacity_map_load(uint texel) {
   return map;
 }
 
+#ifndef PELAGE_VISIBILITY_OPACITY_MAP_GLSL_ONCE
+
+/// 4 bytes each.
+uint pelage_layer_sums_texel_cells(uint layers) {
+  return layers + (layers + 31u) / 32u;
+}
+
+/// pelage_opacity_map_add(). Wait-free where the hardware adds atomically; memory orders: (1) and (2) of
+/// pelage_add_and_mark().
+void pelage_layer_sums_add(uint first, uint layers, float position, uint added) {
+  const uint layer = pelage_layer_at(position, layers);
+  pelage_add_and_mark(first + layer, added, first + layers + layer / 32u, 1u << (layer % 32u));
+}
+
+/// pelage_opacity_map_accumulate(). O(layers). Not concurrent with anything else of the texel.
+void pelage_layer_sums_accumulate(uint first, uint layers) {
+  uint sum = 0u;
+  for (uint i = 0u; i < layers; ++i) {
+    sum = pelage_add_saturating(sum, pelage_load_marked(first + i, first + layers + i / 32u, 1u << (i % 32u)));
+    pelage_raise_cell(first + i, sum);
+  }
+}
+
+/// pelage_opacity_map_accumulated_before_fragment(); with `own` 0 pelage_layer_sums_accumulated_before(). O(1). Not
+/// concurrent with pelage_layer_sums_add() and pelage_layer_sums_accumulate().
+precise float pelage_layer_sums_accumulated_before(uint first, uint layers, float position, uint own) {
+  const uint layer = pelage_layer_at(position, layers);
+  const uint through = pelage_atomic_cells_load(first + layer, pelage_memory_order_relaxed);
+  const uint before = layer > 0u ? pelage_atomic_cells_load(first + layer - 1u, pelage_memory_order_relaxed) : 0u;
+  return pelage_detail_sum_inside(before, through, own, position - float(layer));
+}
+
+#endif
+
+#define PELAGE_VISIBILITY_OPACITY_MAP_GLSL_ONCE
+
 #ifdef PELAGE_PREFIX
 #undef pelage_atomic_opacity_map_add
 #undef pelage_atomic_opacity_map_load
 #undef pelage_opacity_map
 #undef pelage_opacity_map_accumulate
 #undef pelage_opacity_map_accumulated_before
+#undef pelage_opacity_map_accumulated_before_fragment
 #undef pelage_opacity_map_add
 #undef pelage_opacity_map_amount_before
 #undef pelage_opacity_map_amount_before_fragment
