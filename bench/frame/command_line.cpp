@@ -120,11 +120,12 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
          "up to half a texel")
       ->check(CLI::IsMember(names(lookup_names)))
       ->capture_default_str();
-  app.add_option("--blend", c.blend,
-                 "how fragments become a pixel: k_buffer, exact, order_weighted, weighted_average, weighted_blended, "
-                 "depth_peeling, stochastic:N with N samples, 1, 2, 4 ... 64, or sliced:N or sliced_clipped:N with N "
-                 "slices, 8, "
-                 "16 ... 1024, else 256; --k and --order are k_buffer's")
+  app.add_option(
+         "--blend", c.blend,
+         "how fragments become a pixel: k_buffer, exact, order_weighted, weighted_average, weighted_blended, "
+         "deep_opacity:N or deep_opacity_corrected:N with N layers, 4, 8 ... 256, depth_peeling, stochastic:N with "
+         "N samples, 1, 2, 4 ... 64, or sliced:N or sliced_clipped:N with N slices, 8, 16 ... 1024, else 256; "
+         "--k and --order are k_buffer's")
       ->capture_default_str();
   CLI::Option* tail =
       app.add_option(

@@ -11,6 +11,7 @@
 
 #include <string>
 
+#include "frame/blends/deep_opacity.hpp"
 #include "frame/blends/unordered.hpp"
 #include "frame/model/random_colours.hpp"
 #include "quality/difference.hpp"
@@ -58,25 +59,6 @@ glm::vec3 by_nearest_and_slices(const pixel& p) {
     }
   }
   return resolve(add_sliced_tail(sum, behind), background);
-}
-
-/// Weighs each fragment by what 32 layers between the pixel's nearest and farthest depth let through to it.
-/// `corrected`: the sum is scaled to what the fibres cover.
-glm::vec3 by_deep_opacity(const pixel& p, bool corrected) {
-  std::vector<float> depths;
-  for (const layer& l : p.layers)
-    depths.push_back(l.where.depth);
-  std::vector<float> passed(depths.size());
-  std::uint64_t unused = 0;
-  visibility_method_named("deep opacity 32").estimate(p.t, depths, passed, unused);
-  tail sum = empty_tail();
-  glm::vec3 colour(0.0F);
-  for (std::size_t i = 0; i < p.layers.size(); ++i) {
-    const layer& l = p.layers[i];
-    sum = add_weighted(sum, l.alpha, l.alpha * passed[i], l.radiance);
-    colour += l.alpha * passed[i] * l.radiance;
-  }
-  return corrected ? resolve(sum, background) : colour + transmittance_of(sum) * background;
 }
 
 /// The paper's own weight: the order is counted, and all fragments have the mean alpha.
@@ -129,8 +111,8 @@ const std::vector<blending> blendings{
     {"K-buffer 16, 16 slices", by_nearest_and_slices<16, 16>},
     {"K-buffer 16, 32 slices", by_nearest_and_slices<16, 32>},
     {"K-buffer 32, 16 slices", by_nearest_and_slices<32, 16>},
-    {"deep opacity 32", [](const pixel& p) { return by_deep_opacity(p, false); }},
-    {"deep opacity 32, corrected", [](const pixel& p) { return by_deep_opacity(p, true); }},
+    {"deep opacity 32", [](const pixel& p) { return blend_deep_opacity<32>(p.layers, background, false); }},
+    {"deep opacity 32, corrected", [](const pixel& p) { return blend_deep_opacity<32>(p.layers, background, true); }},
     {"order-weighted, counted", by_counted_order},
     {"order-weighted, optical", [](const pixel& p) { return blend_order_weighted(p.layers, background); }},
     {"order-weighted, whole slices", by_whole_slices},

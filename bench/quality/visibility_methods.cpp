@@ -94,9 +94,13 @@ constexpr std::size_t with_range = sizeof(Map) + sizeof(depth_range);
 const std::vector<visibility_method> all_methods{
     {"occupancy 128/4", with_range<occupancy_map<>>, by_occupancy},
     {"deep opacity 4", with_range<opacity_map<4>>, by_deep_opacity<4>},
+    {"deep opacity 8", with_range<opacity_map<8>>, by_deep_opacity<8>},
     {"deep opacity 16", with_range<opacity_map<16>>, by_deep_opacity<16>},
     {"deep opacity 32", with_range<opacity_map<32>>, by_deep_opacity<32>},
+    {"deep opacity 4, growing", with_range<opacity_map<4>>, by_growing_layers<4>},
+    {"deep opacity 8, growing", with_range<opacity_map<8>>, by_growing_layers<8>},
     {"deep opacity 16, growing", with_range<opacity_map<16>>, by_growing_layers<16>},
+    {"deep opacity 32, growing", with_range<opacity_map<32>>, by_growing_layers<32>},
     {"opacity 16", with_range<opacity_map<16>>, by_opacity<16>},
     {"opacity 128", with_range<opacity_map<128>>, by_opacity<128>},
     {"opacity 256", with_range<opacity_map<256>>, by_opacity<256>},
@@ -109,10 +113,6 @@ const std::vector<visibility_method> all_methods{
 
 std::span<const visibility_method> visibility_methods() {
   return all_methods;
-}
-
-const visibility_method& visibility_method_named(const std::string& name) {
-  return *std::find_if(all_methods.begin(), all_methods.end(), [&](const auto& m) { return m.name == name; });
 }
 
 }  // namespace pelage::frame

@@ -35,7 +35,4 @@ struct visibility_method {
 /// All that are compared.
 [[nodiscard]] std::span<const visibility_method> visibility_methods();
 
-/// The one of a name that there is.
-[[nodiscard]] const visibility_method& visibility_method_named(const std::string& name);
-
 }  // namespace pelage::frame

@@ -10,6 +10,7 @@
 
 #include "frame/base/compiled_sizes.hpp"
 #include "frame/base/method_text.hpp"
+#include "frame/blends/deep_opacity.hpp"
 #include "frame/blends/sliced.hpp"
 #include "frame/blends/unordered.hpp"
 #include "frame/order/list_pass.hpp"
@@ -54,6 +55,19 @@ order_report draw_stochastic(camera_film& film, const raster& from, const order_
   return report;
 }
 
+order_report draw_by_deep_opacity(camera_film& film, const raster& from, const order_options& order,
+                                  const blend_choice& choice) {
+  order_report report;
+  const bool is_corrected = choice.method == blend_method::deep_opacity_corrected;
+  const bool compiled = with_compiled_size<blended_layers>(choice.layers, [&]<std::uint32_t Layers>() {
+    report = draw_unordered(film, from, order, [&](std::span<const layer> all, const glm::vec3& behind, int, int) {
+      return blend_deep_opacity<Layers>(all, behind, is_corrected);
+    });
+  });
+  if (!compiled) throw std::invalid_argument("the renderer is not compiled for this number of layers");
+  return report;
+}
+
 /// Every layer costs a pass over the pixel's fragments: the square of the longest list in time, nothing in memory.
 order_report draw_by_peeling(camera_film& film, const raster& from, const order_options& order) {
   return run_list_pass(from, film.limit(), order.drawing_order, [&](int x, int y, std::span<pixel_fragment> all) {
@@ -88,11 +102,16 @@ blend_choice parse_blend(const std::string& text) {
     choice.slices = text == given.word() ? 256 : given.one_of(slice_counts, "slices");
     return choice;
   }
+  if (given.word() == "deep_opacity" || given.word() == "deep_opacity_corrected") {
+    const bool is_corrected = given.word() == "deep_opacity_corrected";
+    return {.method = is_corrected ? blend_method::deep_opacity_corrected : blend_method::deep_opacity,
+            .layers = given.one_of(blended_layers, "layers")};
+  }
   const auto found = plain.find(given.word());
   if (found == plain.end()) {
     given.fail(
-        "not exact, k_buffer, order_weighted, weighted_average, weighted_blended, depth_peeling, stochastic:N, "
-        "sliced:N or sliced_clipped:N");
+        "not exact, k_buffer, order_weighted, weighted_average, weighted_blended, deep_opacity:N, "
+        "deep_opacity_corrected:N, depth_peeling, stochastic:N, sliced:N or sliced_clipped:N");
   }
   given.without_argument();
   return {found->second};
@@ -119,6 +138,9 @@ order_report draw_on(camera_film& film, const blend_choice& choice, const raster
       return draw_unordered(film, from, order, blend_weighted_average);
     case blend_method::weighted_blended:
       return draw_unordered(film, from, order, blend_weighted_blended);
+    case blend_method::deep_opacity:
+    case blend_method::deep_opacity_corrected:
+      return draw_by_deep_opacity(film, from, order, choice);
     case blend_method::depth_peeling:
       return draw_by_peeling(film, from, order);
     case blend_method::stochastic:

@@ -13,15 +13,17 @@ namespace pelage::frame {
 
 /// How the camera's fragments become a pixel.
 enum class blend_method {
-  exact,             ///< all fragments, sorted
-  k_buffer,          ///< the K nearest in order over the mean of the rest
-  order_weighted,    ///< by an order estimated from an occupancy map [Sintorn & Assarsson 2009]
-  weighted_average,  ///< as equal fragments of mean colour and alpha [Bavoil & Myers 2008]
-  weighted_blended,  ///< by a function of depth [McGuire & Bavoil 2013]
-  depth_peeling,     ///< layer after layer, a pass over all fragments for each [Everitt 2001]
-  stochastic,        ///< by random samples, alpha-corrected [Enderton et al. 2010]
-  sliced,            ///< in the order of the depth slices of segments' farther ends [Svoboda §1.3.3]
-  sliced_clipped     ///< the same of segments that are cut at the slices' planes [Sintorn & Assarsson 2008]
+  exact,                   ///< all fragments, sorted
+  k_buffer,                ///< the K nearest in order over the mean of the rest
+  order_weighted,          ///< by an order estimated from an occupancy map [Sintorn & Assarsson 2009]
+  weighted_average,        ///< as equal fragments of mean colour and alpha [Bavoil & Myers 2008]
+  weighted_blended,        ///< by a function of depth [McGuire & Bavoil 2013]
+  deep_opacity,            ///< by layers between the pixel's nearest and farthest depth [Yu12 Fig. 8]
+  deep_opacity_corrected,  ///< the same, no fragment before itself, their sum scaled
+  depth_peeling,           ///< layer after layer, a pass over all fragments for each [Everitt 2001]
+  stochastic,              ///< by random samples, alpha-corrected [Enderton et al. 2010]
+  sliced,                  ///< in the order of the depth slices of segments' farther ends [Svoboda §1.3.3]
+  sliced_clipped           ///< the same of segments that are cut at the slices' planes [Sintorn & Assarsson 2008]
 };
 
 /// Samples a pixel that the renderer is compiled for.
@@ -30,17 +32,22 @@ inline constexpr std::array<std::uint32_t, 7> compiled_samples{1, 2, 4, 8, 16, 3
 /// Slices that the depths of a model can be cut into.
 inline constexpr std::array<std::uint32_t, 8> slice_counts{8, 16, 32, 64, 128, 256, 512, 1024};
 
+/// Layers between a pixel's nearest and farthest depth that the renderer is compiled for.
+inline constexpr std::array<std::uint32_t, 7> blended_layers{4, 8, 16, 32, 64, 128, 256};
+
 /// A method and its parameters.
 struct blend_choice {
   blend_method method = blend_method::k_buffer;
   std::uint32_t samples = 0;  ///< of stochastic, one of compiled_samples
   std::uint32_t seed = 1;     ///< of stochastic
   std::uint32_t slices = 0;   ///< of sliced and sliced_clipped, one of slice_counts; else 0
+  std::uint32_t layers = 0;   ///< of both deep_opacity, one of blended_layers
 };
 
-/// Reads "exact", "k_buffer", "order_weighted", "weighted_average", "weighted_blended", "depth_peeling" or
-/// "stochastic:N"; the seed is another option's; "sliced", "sliced:N", "sliced_clipped" or "sliced_clipped:N", 256
-/// slices without N. Throws std::invalid_argument with one line that says what is wrong.
+/// Reads "exact", "k_buffer", "order_weighted", "weighted_average", "weighted_blended", "deep_opacity:N",
+/// "deep_opacity_corrected:N", "depth_peeling", "stochastic:N", "sliced", "sliced:N", "sliced_clipped" or
+/// "sliced_clipped:N", 256 slices without N; the seed is another option's. Throws std::invalid_argument with one line
+/// that says what is wrong.
 [[nodiscard]] blend_choice parse_blend(const std::string& text);
 
 /// Slices that a pixel's tails can be cut into.
