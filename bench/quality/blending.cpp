@@ -12,6 +12,7 @@
 #include <string>
 
 #include "frame/blends/deep_opacity.hpp"
+#include "frame/blends/moments.hpp"
 #include "frame/blends/unordered.hpp"
 #include "frame/model/random_colours.hpp"
 #include "quality/difference.hpp"
@@ -95,6 +96,16 @@ glm::vec3 by_samples(const pixel& p) {
   return blend_stochastic<Samples>(p.layers, background, stochastic_stream(1U, p.number));
 }
 
+template <class Moments>
+glm::vec3 by_moments(const pixel& p) {
+  return blend_moments<Moments>(p.layers, background);
+}
+
+template <std::uint32_t N>
+glm::vec3 by_layers(const pixel& p) {
+  return blend_layers<N>(p.layers, background);
+}
+
 struct blending {
   std::string name;
   glm::vec3 (*blend)(const pixel&);
@@ -120,6 +131,11 @@ const std::vector<blending> blendings{
     {"weighted blended", [](const pixel& p) { return blend_weighted_blended(p.layers, background); }},
     {"stochastic 8", by_samples<8>},
     {"stochastic 32", by_samples<32>},
+    {"power moments 4", by_moments<power_moments<4>>},
+    {"power moments 6", by_moments<power_moments<6>>},
+    {"alpha layers 4", by_layers<4>},
+    {"alpha layers 8", by_layers<8>},
+    {"alpha layers 16", by_layers<16>},
 };
 
 /// The strand of each point.

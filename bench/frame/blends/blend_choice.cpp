@@ -11,6 +11,7 @@
 #include "frame/base/compiled_sizes.hpp"
 #include "frame/base/method_text.hpp"
 #include "frame/blends/deep_opacity.hpp"
+#include "frame/blends/moments.hpp"
 #include "frame/blends/sliced.hpp"
 #include "frame/blends/unordered.hpp"
 #include "frame/order/list_pass.hpp"
@@ -68,6 +69,19 @@ order_report draw_by_deep_opacity(camera_film& film, const raster& from, const o
   return report;
 }
 
+order_report draw_by_moments(camera_film& film, const raster& from, const order_options& order, std::uint32_t size) {
+  return draw_unordered(film, from, order,
+                        size == 4 ? blend_moments<power_moments<4>> : blend_moments<power_moments<6>>);
+}
+
+order_report draw_by_layers(camera_film& film, const raster& from, const order_options& order, std::uint32_t size) {
+  order_report report;
+  const bool compiled = with_compiled_size<compiled_alpha_layers>(
+      size, [&]<std::uint32_t N>() { report = draw_unordered(film, from, order, blend_layers<N>); });
+  if (!compiled) throw std::invalid_argument("the renderer is not compiled for this number of layers");
+  return report;
+}
+
 /// Every layer costs a pass over the pixel's fragments: the square of the longest list in time, nothing in memory.
 order_report draw_by_peeling(camera_film& film, const raster& from, const order_options& order) {
   return run_list_pass(from, film.limit(), order.drawing_order, [&](int x, int y, std::span<pixel_fragment> all) {
@@ -107,11 +121,17 @@ blend_choice parse_blend(const std::string& text) {
     return {.method = is_corrected ? blend_method::deep_opacity_corrected : blend_method::deep_opacity,
             .layers = given.one_of(blended_layers, "layers")};
   }
+  if (given.word() == "moments") {
+    return {.method = blend_method::moments, .size = given.one_of(compiled_moments, "moments")};
+  }
+  if (given.word() == "layers") {
+    return {.method = blend_method::layers, .size = given.one_of(compiled_alpha_layers, "layers")};
+  }
   const auto found = plain.find(given.word());
   if (found == plain.end()) {
     given.fail(
         "not exact, k_buffer, order_weighted, weighted_average, weighted_blended, deep_opacity:N, "
-        "deep_opacity_corrected:N, depth_peeling, stochastic:N, sliced:N or sliced_clipped:N");
+        "deep_opacity_corrected:N, depth_peeling, stochastic:N, sliced:N, sliced_clipped:N, moments:N or layers:N");
   }
   given.without_argument();
   return {found->second};
@@ -149,6 +169,10 @@ order_report draw_on(camera_film& film, const blend_choice& choice, const raster
     case blend_method::sliced_clipped:
       return draw_sliced(film, from, slices,
                          choice.method == blend_method::sliced ? at_planes::whole : at_planes::clipped);
+    case blend_method::moments:
+      return draw_by_moments(film, from, order, choice.size);
+    case blend_method::layers:
+      return draw_by_layers(film, from, order, choice.size);
   }
   return draw_in_order(film, from, order, order_method::full_sort);
 }

@@ -23,7 +23,9 @@ enum class blend_method {
   depth_peeling,           ///< layer after layer, a pass over all fragments for each [Everitt 2001]
   stochastic,              ///< by random samples, alpha-corrected [Enderton et al. 2010]
   sliced,                  ///< in the order of the depth slices of segments' farther ends [Svoboda §1.3.3]
-  sliced_clipped           ///< the same of segments that are cut at the slices' planes [Sintorn & Assarsson 2008]
+  sliced_clipped,          ///< the same of segments that are cut at the slices' planes [Sintorn & Assarsson 2008]
+  moments,                 ///< by what power moments tell of the pixel [Münstermann et al. 2018]
+  layers                   ///< as layers, of which the farthest are merged [Salvi & Vaidyanathan 2014]
 };
 
 /// Samples a pixel that the renderer is compiled for.
@@ -35,6 +37,10 @@ inline constexpr std::array<std::uint32_t, 8> slice_counts{8, 16, 32, 64, 128, 2
 /// Layers between a pixel's nearest and farthest depth that the renderer is compiled for.
 inline constexpr std::array<std::uint32_t, 7> blended_layers{4, 8, 16, 32, 64, 128, 256};
 
+/// Moments and layers a pixel that the renderer is compiled for.
+inline constexpr std::array<std::uint32_t, 2> compiled_moments{4, 6};
+inline constexpr std::array<std::uint32_t, 6> compiled_alpha_layers{1, 2, 4, 8, 16, 32};
+
 /// A method and its parameters.
 struct blend_choice {
   blend_method method = blend_method::k_buffer;
@@ -42,12 +48,13 @@ struct blend_choice {
   std::uint32_t seed = 1;     ///< of stochastic
   std::uint32_t slices = 0;   ///< of sliced and sliced_clipped, one of slice_counts; else 0
   std::uint32_t layers = 0;   ///< of both deep_opacity, one of blended_layers
+  std::uint32_t size = 0;     ///< moments or layers
 };
 
 /// Reads "exact", "k_buffer", "order_weighted", "weighted_average", "weighted_blended", "deep_opacity:N",
-/// "deep_opacity_corrected:N", "depth_peeling", "stochastic:N", "sliced", "sliced:N", "sliced_clipped" or
-/// "sliced_clipped:N", 256 slices without N; the seed is another option's. Throws std::invalid_argument with one line
-/// that says what is wrong.
+/// "deep_opacity_corrected:N", "depth_peeling", "stochastic:N", "sliced", "sliced:N", "sliced_clipped",
+/// "sliced_clipped:N", 256 slices without N, "moments:N" or "layers:N"; the seed is another option's. Throws
+/// std::invalid_argument with one line that says what is wrong.
 [[nodiscard]] blend_choice parse_blend(const std::string& text);
 
 /// Slices that a pixel's tails can be cut into.
