@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Pelage authors
 # SPDX-License-Identifier: MIT
-"""What fibres let pass on their way to the eye and from the lights, and how the lights' maps are read: the built-in model
-as pelage-frame draws it by each --attenuation and --lookup, against exact lists. Alone: light_paths.py ROOT [PROGRAM]."""
+"""What fibres let pass of light on its way to them and to the eye, and how they read the lights' maps: the built-in
+model as pelage-frame draws it by each --attenuation and --lookup. Alone: light_paths.py ROOT [PROGRAM]."""
 import json
 import pathlib
 import subprocess
@@ -23,6 +23,10 @@ METHODS = [("K = 16", []), ("K = 16, 16 slices", ["--tail", "sliced:16"]), ("K =
 EXACT = ["--shadow", "exact", "--blend", "exact"]
 MAPS = [("exact", "400"), ("exact", "128"), ("k_buffer", "400"), ("occupancy", "400")]
 
+# Few thick strands, in which one look-up is seen, and the pixels that the figure shows of them.
+THICK = ["--strands", "3000", "--size", "400", "--fibre-radius", "0.008", "--alpha", "0.8"]
+SHOWN = (slice(60, 260), slice(200, 340))
+
 
 class Frames:
     """Draws frames of the model with a program, and compares them."""
@@ -31,11 +35,11 @@ class Frames:
         self.program = program
         self.scratch = scratch
 
-    def draw(self, name, options, other=None):
+    def draw(self, name, options, other=None, model=MODEL):
         """One frame: its picture's path, and RMS and largest difference from another, if there is one."""
         picture, report = self.scratch / f"{name}.png", self.scratch / f"{name}.json"
         compared = ["--compare", other] if other else []
-        command = [self.program, *MODEL, *options, *compared, "--out", picture, "--report", report]
+        command = [self.program, *model, *options, *compared, "--out", picture, "--report", report]
         subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
         found = json.loads(report.read_text())
         return picture, found.get("rms", 0.0), found.get("maximum", 0.0)
@@ -63,7 +67,6 @@ def compare_lookups(frames, path):
     print("| --shadow, texels a side | --lookup filtered | jittered | jittered from filtered |")
     print("| --- | ---: | ---: | ---: |")
     exact, _, _ = frames.draw("lookup-exact", [*each, "--shadow", "exact", "--map-size", "1600"])
-    rows = []
     for shadow, side in MAPS:
         options = [*each, "--shadow", shadow, "--map-size", side]
         filtered = frames.draw(f"filtered-{shadow}-{side}", options, exact)
@@ -71,19 +74,25 @@ def compare_lookups(frames, path):
         apart = frames.draw(f"apart-{shadow}-{side}", [*options, "--lookup", "jittered"], filtered[0])
         print(f"| `{shadow}`, {side} | {filtered[1]:.5f}, {filtered[2]:.3f} | {jittered[1]:.5f}, {jittered[2]:.3f} | "
               f"{apart[1]:.5f}, {apart[2]:.3f} |")
-        if side == "128" or shadow == "occupancy":
-            rows.append([(f"{shadow}, {side} texels a side, filtered", filtered[0]),
-                         (f"jittered: RMS {apart[1]:.5f} from it", jittered[0]),
-                         ("difference, white = 0.1", apart[0].with_suffix(".error.png"))])
     print("\n(RMS, largest difference; the first two from exact maps of 1600 texels a side, filtered.)\n")
-    draw_sheet(rows, path)
+    rows = []
+    for side in ("48", "192"):
+        options = [*each, "--shadow", "occupancy", "--map-size", side]
+        filtered, _, _ = frames.draw(f"thick-filtered-{side}", options, model=THICK)
+        jittered, rms, _ = frames.draw(f"thick-jittered-{side}", [*options, "--lookup", "jittered"], filtered, THICK)
+        rows.append([(f"occupancy, {side} texels a side, filtered", filtered),
+                     (f"jittered: RMS {rms:.5f} from it", jittered),
+                     ("difference, white = 0.1", jittered.with_suffix(".error.png"))])
+    draw_sheet(rows, path, SHOWN)
 
 
-def draw_sheet(rows, path):
-    figure, axes = matplotlib.pyplot.subplots(len(rows), 3, figsize=(9.6, 3.35 * len(rows)), squeeze=False)
+def draw_sheet(rows, path, shown=(slice(None), slice(None))):
+    height, width = matplotlib.image.imread(rows[0][0][1])[shown].shape[:2]
+    figure, axes = matplotlib.pyplot.subplots(
+        len(rows), 3, figsize=(9.6, len(rows) * (3.2 * height / width + 0.15)), squeeze=False)
     for line, row in zip(axes, rows):
         for axis, (title, picture) in zip(line, row):
-            axis.imshow(matplotlib.image.imread(picture))
+            axis.imshow(matplotlib.image.imread(picture)[shown])
             axis.set_title(title, fontsize=9)
             axis.set_axis_off()
     plots.save(figure, path)
