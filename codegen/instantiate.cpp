@@ -29,12 +29,15 @@
 #include <pelage/bsdf/passage.hpp>
 #include <pelage/bsdf/renderer_parameters.hpp>
 #include <pelage/bsdf/scattering_roots.hpp>
+#include <pelage/composite/alpha_layers.hpp>
 #include <pelage/composite/atomic_tail.hpp>
 #include <pelage/composite/depth_peeling.hpp>
 #include <pelage/composite/divided_pixel.hpp>
+#include <pelage/composite/moment_bounds.hpp>
 #include <pelage/composite/optical_depth.hpp>
 #include <pelage/composite/order_weighted.hpp>
 #include <pelage/composite/over.hpp>
+#include <pelage/composite/power_moments.hpp>
 #include <pelage/composite/radiance.hpp>
 #include <pelage/composite/sliced_tail.hpp>
 #include <pelage/composite/stochastic.hpp>
@@ -239,6 +242,14 @@ template void atomic_stochastic_depths::add<stochastic_depths<13u>>(cells&, std:
                                                                     std::uint32_t) noexcept;
 template stochastic_depths<16u> atomic_stochastic_depths::load(const cells&, std::uint32_t) noexcept;
 template stochastic_depths<13u> atomic_stochastic_depths::load(const cells&, std::uint32_t) noexcept;
+template struct alpha_layers<4u>;
+template struct alpha_layers<3u>;
+template struct power_moments<4u>;
+template struct power_moments<6u>;
+template void atomic_power_moments::add<power_moments<4u>>(cells&, std::uint32_t, const power_moments<4u>&) noexcept;
+template void atomic_power_moments::add<power_moments<6u>>(cells&, std::uint32_t, const power_moments<6u>&) noexcept;
+template power_moments<4u> atomic_power_moments::load(const cells&, std::uint32_t) noexcept;
+template power_moments<6u> atomic_power_moments::load(const cells&, std::uint32_t) noexcept;
 
 // bsdf
 template kajiya_kay_lobes<float> kajiya_kay(const vec3&, const vec3&, const vec3&, float) noexcept;

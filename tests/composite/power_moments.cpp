@@ -51,11 +51,11 @@ TEST_CASE("any order of fragments, any split into parts and any number of thread
         using moments = power_moments<N>;
         cells_of<shaken_cells> cells(3u * moments::cells, 0u);
         deal_to_threads(threads, all.size(), [&](std::size_t i) {
-          atomic_moments::add(cells, 1u, moments::of(shuffled[i].relative, shuffled[i].amount));
+          atomic_power_moments::add(cells, 1u, moments::of(shuffled[i].relative, shuffled[i].amount));
         });
-        RC_ASSERT(atomic_moments::load<moments>(cells, 1u).sum == parts.sum);
-        RC_ASSERT(atomic_moments::load<moments>(cells, 0u).sum == moments::empty().sum);
-        RC_ASSERT(atomic_moments::load<moments>(cells, 2u).sum == moments::empty().sum);
+        RC_ASSERT(atomic_power_moments::load<moments>(cells, 1u).sum == parts.sum);
+        RC_ASSERT(atomic_power_moments::load<moments>(cells, 0u).sum == moments::empty().sum);
+        RC_ASSERT(atomic_power_moments::load<moments>(cells, 2u).sum == moments::empty().sum);
       }
     });
   });

@@ -22,7 +22,7 @@ struct power_visibility {
   std::array<float, 3> ratio;   ///< the norm of pⱼ₊₁ over that of pⱼ, squared
 
   /// The bounds of what lies before a depth. `relative`: depth_range::relative in the range of the sums. None of them
-  /// falls as the depth grows, except by rounding: by less than 2e-3 in what passes. Nothing lies before the range:
+  /// falls as the depth grows, except by rounding: by less than 1e-4 in what passes. Nothing lies before the range:
   /// {0, 0} for 0 and below and for NaN. Above 1: as at 1.
   [[nodiscard]] inline moment_bounds bounds_before(float relative) const noexcept;
 
@@ -40,16 +40,17 @@ struct power_visibility {
 /// before a depth is estimated from N + 1 sums; weigh a fragment by optical_weight(alpha, amount_before_fragment()),
 /// add_weighted() and resolve(), whose transmittance is exact.
 ///
-/// N is 4 or 6. Depth is linear in the pixel's own range (the paper: logarithmic in the scene's), so that a first pass
-/// finds it by depth_range, and all moments serve the pixel's own fibres. They are taken of Chebyshev polynomials T₁ to
-/// Tₙ, which span what powers span, but whose rounding the reconstruction does not amplify. Integer sums of
-/// optical_depth(): any order of fragments gives the same bits; they are rounded by a unit a fragment, and stop at
-/// 2³² - 1. One fragment alone is exact, as are all at one depth; N / 2 fragments are within 2⁻¹⁷ of the pixel's
-/// octaves. Between a nearly opaque fragment and others bounds are wide: it holds nearly all of the sum. 4 N + 4 bytes,
-/// 8 more with the depth_range.
+/// N is 4 or 6; with 2 mean and variance are all that is known, and those beyond 6 are not made use of. Depth is linear
+/// in the pixel's own range (the paper: logarithmic in the scene's), so that a first pass finds it by depth_range, and
+/// all moments serve the pixel's own fibres. They are taken of Chebyshev polynomials T₁ to Tₙ, which span what powers
+/// span, but whose rounding the reconstruction does not amplify. Integer sums of optical_depth(): any order of
+/// fragments gives the same bits; they are rounded by a unit a fragment, and stop at 2³² - 1. One fragment alone is
+/// exact, as are all at one depth; before one of two lies what does within 2⁻¹⁷ of the pixel's octaves, and so it is
+/// with N / 2 that lie apart by more than a thousandth of the range. A nearly opaque fragment holds nearly all of the
+/// sum, and leaves wide bounds to the others. 4 N + 4 bytes, 8 more with the depth_range.
 template <std::uint32_t N = 4u>
 struct power_moments {
-  static_assert(N == 4u || N == 6u, "pelage::power_moments<N>: N must be 4 or 6");
+  static_assert(N >= 2u && N <= 30u && N % 2u == 0u, "pelage::power_moments<N>: N must be even, in [2, 30]");
 
   static constexpr std::uint32_t cells = N + 2u;  ///< a pixel, for a cell_storage
 
@@ -88,7 +89,7 @@ struct power_moments {
     }
   }
 
-  /// Adds a fragment; parameters as of(). Not concurrent (see atomic_moments).
+  /// Adds a fragment; parameters as of(). Not concurrent (see atomic_power_moments).
   constexpr void add(float relative, std::uint32_t amount) noexcept { merge(of(relative, amount)); }
 
   /// What the sums tell. Once a pixel, or before each look-up. O(N²).
@@ -97,7 +98,7 @@ struct power_moments {
 
 /// A pixel that many threads fill at once: cells [pixel · Moments::cells, (pixel + 1) · Moments::cells) of the storage,
 /// all 0 at first, for Moments = power_moments<N>. The last one marks the ends of sums.
-namespace atomic_moments {
+namespace atomic_power_moments {
 
 /// power_moments::merge(). Wait-free where the hardware adds atomically. Memory orders: add_and_mark().
 template <class Moments, cell_storage Storage>
@@ -120,7 +121,7 @@ template <class Moments, cell_storage Storage>
   return moments;
 }
 
-}  // namespace atomic_moments
+}  // namespace atomic_power_moments
 
 // ---------------------------------------------------------------------------------------------------------
 
