@@ -38,6 +38,7 @@ enum binding : std::uint32_t {
   block_limit_buffer,
   bsdf_buffer,
   covered_buffer,
+  layer_buffer,
   buffer_count
 };
 

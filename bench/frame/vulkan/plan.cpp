@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "frame/vulkan/buffers.hpp"
+#include "frame/vulkan/layer_maps.hpp"
 
 namespace pelage::frame::vulkan {
 namespace {
@@ -78,21 +79,6 @@ plan plan_by_order(const frame_settings& s, bool camera) {
   throw std::runtime_error("--device vulkan: there is no --order full_sort; selection_sort gives its picture");
 }
 
-/// A light's map that keeps no fragment: which slices of its depth range hold any, and slabs' sums.
-plan plan_by_occupancy() {
-  plan p{};
-  p.build = {{"extend_range", over::segments}, {"occupy_light", over::segments}};
-  p.maps = true;
-  return p;
-}
-
-plan plan_of_lights(const frame_settings& s) {
-  plan p = s.shadow.method == shadow_method::occupancy ? plan_by_occupancy() : plan_by_order(s, false);
-  p.covered = s.look.model == bsdf_model::dual_scattering;
-  if (p.covered) p.finish.push_back({"cover", over::segments});
-  return p;
-}
-
 /// All fragments drawn three times: for the depth range, for the map of it, and to be blended.
 plan plan_by_weight() {
   plan p{};
@@ -102,6 +88,40 @@ plan plan_by_weight() {
       {"occupy_camera", over::segments}, {"blend_weighted", over::segments}, {"resolve_weighted", over::pixels}};
   p.maps = true;
   p.blended = 9;
+  return p;
+}
+
+/// A light's map of layers that begin at its texels' nearest fragments, or where the model does.
+plan plan_by_layers(const frame_settings& s) {
+  plan p{};
+  if (s.shadow.method != shadow_method::opacity) p.build = {{"extend_range_layered", over::segments}};
+  p.build.insert(p.build.end(), {{"occupy_layered_light", over::segments}, {"accumulate", over::pixels}});
+  p.layers = light_layers(s);
+  return p;
+}
+
+/// All fragments drawn three times, as by plan_by_weight(); once where neither their range nor a map of it is asked
+/// for, and every point is lit; twice where the range is.
+plan plan_by_sums(const frame_settings& s) {
+  plan p{};
+  p.clear = {{"sums", blended_buffer, 0}};
+  p.layers = camera_layers(s);
+  p.blended = 9;
+  if (s.blend.method == blend_method::weighted_average) {
+    p.clear.push_back({"seen", seen_buffer, 1});
+    p.finish = {{"blend_average", over::segments}, {"resolve_average", over::pixels}};
+    return p;
+  }
+  p.build = {{"extend_range_layered", over::segments}};
+  if (s.blend.method == blend_method::weighted_blended) {
+    p.finish = {{"blend_by_depth", over::segments}, {"resolve_scaled", over::pixels}};
+    return p;
+  }
+  const bool is_corrected = s.blend.method == blend_method::deep_opacity_corrected;
+  p.finish = {{"occupy_layered_camera", over::segments},
+              {"accumulate", over::pixels},
+              {is_corrected ? "blend_corrected" : "blend_layered", over::segments},
+              {is_corrected ? "resolve_scaled" : "resolve_unscaled", over::pixels}};
   return p;
 }
 
@@ -131,6 +151,23 @@ plan plan_by_slices() {
   return p;
 }
 
+/// A light's map that keeps no fragment: which slices of its depth range hold any, and slabs' sums.
+plan plan_by_occupancy() {
+  plan p{};
+  p.build = {{"extend_range", over::segments}, {"occupy_light", over::segments}};
+  p.maps = true;
+  return p;
+}
+
+plan plan_of_lights(const frame_settings& s) {
+  plan p = light_layers(s) > 0                           ? plan_by_layers(s)
+           : s.shadow.method == shadow_method::occupancy ? plan_by_occupancy()
+                                                         : plan_by_order(s, false);
+  p.covered = s.look.model == bsdf_model::dual_scattering;
+  if (p.covered) p.finish.push_back({"cover", over::segments});
+  return p;
+}
+
 }  // namespace
 
 std::string shading_kernel(const fibre_look& look) {
@@ -141,6 +178,7 @@ std::string shading_kernel(const fibre_look& look) {
 
 plan plan_of(const frame_settings& s, bool camera) {
   if (!camera) return plan_of_lights(s);
+  if (camera_layers(s) > 0) return plan_by_sums(s);
   if (s.blend.method == blend_method::order_weighted) return plan_by_weight();
   if (s.blend.method == blend_method::depth_peeling) return plan_by_peeling();
   if (s.blend.method == blend_method::sliced) return plan_by_slices();
@@ -150,13 +188,18 @@ plan plan_of(const frame_settings& s, bool camera) {
 void check_settings(const frame_settings& s) {
   if (s.drawn != primitive::segment)
     throw std::runtime_error("--device vulkan: fibres are drawn by --primitive segment");
-  if (s.shadow.method != shadow_method::k_buffer && s.shadow.method != shadow_method::occupancy) {
-    throw std::runtime_error("--device vulkan: maps are made by --shadow k_buffer or occupancy");
+  if (s.shadow.method != shadow_method::k_buffer && s.shadow.method != shadow_method::occupancy &&
+      light_layers(s) == 0) {
+    throw std::runtime_error(
+        "--device vulkan: maps are made by --shadow k_buffer, occupancy, opacity:N, deep_opacity:N or "
+        "deep_opacity_growing:N");
   }
   if (s.blend.method != blend_method::k_buffer && s.blend.method != blend_method::order_weighted &&
-      s.blend.method != blend_method::depth_peeling && s.blend.method != blend_method::sliced) {
+      s.blend.method != blend_method::depth_peeling && s.blend.method != blend_method::sliced &&
+      camera_layers(s) == 0) {
     throw std::runtime_error(
-        "--device vulkan: pixels are made by --blend k_buffer, order_weighted, depth_peeling or sliced:N");
+        "--device vulkan: pixels are made by --blend k_buffer, order_weighted, weighted_average, weighted_blended, "
+        "deep_opacity:N, deep_opacity_corrected:N, depth_peeling or sliced:N");
   }
   if (std::find(std::begin(any_k), std::end(any_k), s.k) == std::end(any_k)) {
     throw std::runtime_error("--device vulkan: --k must be 4, 8, 16, 32 or 64");

@@ -35,6 +35,7 @@ struct plan {
   std::uint32_t lists;       ///< a pixel; 0: the pool is cut into runs
   std::uint32_t slots;       ///< of 8 bytes a pixel
   bool maps;                 ///< a pixel has an occupancy map
+  std::uint32_t layers;      ///< of a pixel's opacity map; 0: it has none
   std::uint32_t blended;     ///< words that a pixel is blended in
   bool covered;              ///< a light's texel has the sum of its fibres' coverage
 };

@@ -33,7 +33,10 @@ struct scene_block {
     std::uint32_t stamp_count;
     std::uint32_t first_block;
     std::uint32_t first_opacity;
-    std::array<std::uint32_t, 2> unused;
+    std::uint32_t layers;
+    float layer_first;
+    float layer_width;
+    std::array<std::uint32_t, 3> unused;
   };
   struct light_block {
     glm::vec3 position;
@@ -74,8 +77,8 @@ struct scene_block {
   float exponent;
   std::array<std::uint32_t, 3> unused;
 };
-static_assert(sizeof(scene_block::view_block) == 112 && sizeof(scene_block::light_block) == 48 &&
-              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1776);
+static_assert(sizeof(scene_block::view_block) == 128 && sizeof(scene_block::light_block) == 48 &&
+              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1920);
 
 /// The constants of a frame; views[i].first_pixel and first_block count those of the views before. What depends on the
 /// number of fragments is 0.

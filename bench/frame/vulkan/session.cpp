@@ -11,6 +11,7 @@
 
 #include "frame/vulkan/bsdf_block.hpp"
 #include "frame/vulkan/kernels.hpp"
+#include "frame/vulkan/layer_maps.hpp"
 
 namespace pelage::frame::vulkan {
 
@@ -52,6 +53,7 @@ session::session(const stage& set, const frame_settings& settings)
       shading_(shading_kernel(settings.look)),
       constants_(make_scene_block(set, settings)) {
   check_device();
+  place_layers(constants_, set, settings);
   if (needs_64_bit_atomics(settings) && !device_.has_64_bit_atomics()) {
     throw std::runtime_error("--device vulkan: " + device_.name() +
                              " has no 64-bit atomics for --order atomic_k_buffer or --blend depth_peeling");
@@ -73,6 +75,7 @@ void session::upload_strands() {
 
 void session::move_camera(const frame_settings& settings) {
   constants_ = make_scene_block(set_, settings);
+  place_layers(constants_, set_, settings);
   upload_constants();
   if (set_.slices.sorts != sorts_) upload_strands();
   sorts_ = set_.slices.sorts;
@@ -195,6 +198,11 @@ void session::make_buffers() {
   device_.resize(cell_buffer, (light_plan_.maps || camera_plan_.maps ? all : 0) * 12 * sizeof(std::uint32_t));
   device_.resize(covered_buffer, (light_plan_.covered ? texels : 0) * 2 * sizeof(std::uint32_t));
   device_.resize(blended_buffer, pixels(camera()) * camera_plan_.blended * sizeof(std::uint32_t));
+  const std::uint64_t layered =
+      texels * layer_words(light_plan_.layers) + pixels(camera()) * layer_words(camera_plan_.layers);
+  if (layered > 0xffffffffU)
+    throw std::runtime_error("--device vulkan: the maps have more layers than can be numbered");
+  device_.resize(layer_buffer, layered * sizeof(std::uint32_t));
   measure();
   make_room();
   const std::uint64_t entries = light_plan_.whole ? capacity_ : texels * k_;
@@ -290,7 +298,7 @@ void session::build(const view_range& views) {
 void session::finish(const view_range& views) {
   const plan& p = plan_for(views.first);
   if (views.first == camera()) {
-    const std::string maps = light_plan_.maps ? "_occupancy" : "";
+    const std::string maps = light_plan_.layers > 0 ? "_layered" : light_plan_.maps ? "_occupancy" : "";
     run(frame_, views, {{shading_ + maps + lookup_, over::points}, {"background" + maps, over::pixels}});
     frame_.steps.back().beside = true;
     frame_.names.back().pass = (frame_.names.end() - 2)->pass = "shade, background";
@@ -311,6 +319,7 @@ void session::make_frame() {
   if (constants_.eta > 0.0F) run(frame_, all_views(), "attenuate", over::points);
   if (light_plan_.maps || camera_plan_.maps) fill(frame_, all_views(), "maps", cell_buffer, 0);
   if (light_plan_.covered) fill(frame_, all_views(), "covered", covered_buffer, 0);
+  if (light_plan_.layers + camera_plan_.layers > 0) fill(frame_, all_views(), "layers", layer_buffer, 0);
   if (light_plan_.runs && camera_plan_.runs) {
     build(all_views());
     if (lights().end > 0 && shadows_) finish(lights());

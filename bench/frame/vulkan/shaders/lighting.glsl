@@ -9,8 +9,14 @@
 #include "projection.glsl"
 #ifdef OCCUPANCY
 #include "occupancy_shadow.glsl"
+#elif defined(LAYERED)
+#include "layered_shadow.glsl"
 #else
 #include "nearest_shadow.glsl"
+#endif
+
+#ifndef LAYERED
+void look_up_light(uint l) {}  // a texel says all
 #endif
 
 struct arrival {
@@ -58,6 +64,7 @@ struct map_square {
 
 /// Of a receiver with this slope at a position in the light's view.
 map_square square_at(uint l, vec3 p, vec2 slope, float bias) {
+  look_up_light(l);
   map_square s;
   const float depth = -p.z - bias;
   const vec2 pixel = to_pixel(l, p) - 0.5;
@@ -84,6 +91,7 @@ map_square square_at_fibre(uint l, vec3 world, vec3 tangent, float radius) {
 
 /// A square that weighs one texel alone: the one that holds the position moved by lookup_jitter().
 map_square jittered_square_at_fibre(uint l, vec3 world, vec3 tangent, float radius, uint seed) {
+  look_up_light(l);
   map_square s;
   const vec3 p = to_view(l, world);
   const float depth = -p.z - 2.0 * radius;

@@ -60,4 +60,18 @@ float map_position(pelage_depth_range range, float depth) {
   return pelage_slice_position(pelage_depth_range_relative(range, depth), PELAGE_OCCUPANCY_MAP_SLICES);
 }
 
+// What sums.glsl keeps with the map: which of its nine sums passed their ends, behind those of the slabs.
+
+void mark_end(uint texel, uint i) {
+  atomicOr(cells[texel_cells * texel + pelage_occupancy_map_cells - 1u], 1u << (PELAGE_OCCUPANCY_MAP_SLABS + i));
+}
+
+uint passed_ends(uint texel) {
+  return cells[texel_cells * texel + pelage_occupancy_map_cells - 1u] >> PELAGE_OCCUPANCY_MAP_SLABS;
+}
+
+uint total_of(uint texel) {
+  return pelage_occupancy_map_total(load_occupancy(texel).map);
+}
+
 #endif

@@ -35,6 +35,9 @@ struct view_block {
   uint stamp_count;
   uint first_block;  ///< in block_limits
   uint first_opacity;
+  uint layers;        ///< of the view's opacity maps, 0 without, and how they lie (layer_map.glsl)
+  float layer_first;  ///< view depth where they begin, and the first one's width, where texels don't say
+  float layer_width;
 };
 
 struct light_block {
