@@ -27,6 +27,11 @@ METHODS = {
 SIZES = [8, 16, 32, 64]
 MODELS = ["kajiya_kay", "marschner", "chiang", "dual_scattering"]
 FRAMES = 50
+BASELINE_SHADOWS = ["occupancy", "opacity:16", "opacity:128", "opacity:256", "deep_opacity:4", "deep_opacity:8",
+                    "deep_opacity:16", "deep_opacity:32", "deep_opacity_growing:4", "deep_opacity_growing:8",
+                    "deep_opacity_growing:16"]
+BASELINE_BLENDS = ["order_weighted", "weighted_average", "weighted_blended", "deep_opacity:32",
+                   "deep_opacity_corrected:32", "sliced:256"]
 
 
 def draw(program, options, frames, picture=None):
@@ -127,6 +132,36 @@ def models_table(program, folder):
     return all_reports
 
 
+def mapping(report):
+    """Milliseconds of the passes that make the lights' maps and no other; None where one dispatch does some for all
+    views."""
+    if blending(report) is None:
+        return None
+    passes = [p for p in report["passes"] if p["view"].startswith("light")]
+    return sum(p["milliseconds"] for p in passes)
+
+
+def baselines_table(program, folder):
+    """What the papers compare with: the other maps under the same blending, and the other blendings over the same
+    maps. After peeling_table(), whose sorted picture they are compared with."""
+    truth = folder / "gpu_sorted.png"
+    rows = [(shadow, "order_weighted") for shadow in BASELINE_SHADOWS]
+    rows += [("k_buffer", blend) for blend in BASELINE_BLENDS]
+    all_reports = {}
+    print("\n50 000 strands, 640 x 640: milliseconds; RMS and largest difference from the picture of sorted lists")
+    heads = f"{'frame':>8}{'maps':>8}{'blending':>10}{'MB':>8}{'RMS':>10}{'largest':>10}"
+    print(f"{'--shadow':26}{'--blend':28}{heads}   one hash")
+    for shadow, blend in rows:
+        options = ["--shadow", shadow, "--blend", blend, "--k", "16", "--compare", str(truth)]
+        r = draw(program, HAIR + options, FRAMES)
+        all_reports[f"{shadow} {blend}"] = r
+        print(
+            f"{shadow:26}{blend:28}{r['milliseconds']:8.2f}{mapping(r):8.2f}{blending(r):10.2f}"
+            f"{r['device_bytes'] / 1e6:8.0f}{r['rms']:10.5f}{r['maximum']:10.3f}   {r['same_hash']} of {r['frames']}"
+        )
+    return all_reports
+
+
 def headline(program, picture):
     """The large model by passes, 100 frames."""
     report = draw(program, HEADLINE + ["--k", "16"], 100, picture)
@@ -155,6 +190,9 @@ def main():
         "methods": methods_table(program),
         "peeling": peeling_table(program, folder),
         "models": models_table(program, folder),
+
+
+        "baselines": baselines_table(program, folder),
         "headline": headline(program, folder / "gpu.png"),
         "steps": steps.tables(draw, program),
     }
