@@ -176,8 +176,8 @@ template std::uint32_t ordered_list::first(const atomic_list_storage&, std::uint
 template std::uint32_t ordered_list::next(const atomic_list_storage&, std::uint32_t) noexcept;
 template fragment atomic_k_buffer::insert<16u>(wide_cells&, std::uint32_t, fragment) noexcept;
 template fragment atomic_k_buffer::insert<13u>(wide_cells&, std::uint32_t, fragment) noexcept;
-template fragment atomic_k_buffer::at<16u>(const wide_cells&, std::uint32_t, std::uint32_t) noexcept;
-template fragment atomic_k_buffer::at<13u>(const wide_cells&, std::uint32_t, std::uint32_t) noexcept;
+template std::array<fragment, 16u> atomic_k_buffer::load<16u>(const wide_cells&, std::uint32_t) noexcept;
+template std::array<fragment, 13u> atomic_k_buffer::load<13u>(const wide_cells&, std::uint32_t) noexcept;
 template void split_k_buffer::offer_depth<16u>(cells&, std::uint32_t, fragment) noexcept;
 template void split_k_buffer::offer_depth<13u>(cells&, std::uint32_t, fragment) noexcept;
 template fragment split_k_buffer::insert<16u>(cells&, std::uint32_t, fragment) noexcept;

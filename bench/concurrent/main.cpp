@@ -9,9 +9,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <time.h>
+
 #include <algorithm>
 #include <barrier>
-#include <chrono>
 #include <cstdio>
 #include <thread>
 #include <vector>
@@ -20,29 +21,33 @@ namespace {
 
 using namespace pelage::bench;
 
-/// Inserts a workload with so many threads; returns the seconds from when the first starts to when the last is done.
+/// Seconds that this thread has run: on a busy machine the others' turns do not count.
+double thread_time() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Inserts a workload with so many threads; returns the seconds of the one that ran longest.
 double run(contender& tested, const workload& work, std::uint32_t threads) {
-  using clock = std::chrono::steady_clock;
   tested.prepare(work);
   std::barrier together(static_cast<std::ptrdiff_t>(threads));
-  std::vector<clock::time_point> start(threads);
-  std::vector<clock::time_point> end(threads);
+  std::vector<double> took(threads);
   {
     std::vector<std::jthread> running;
     for (std::uint32_t t = 0; t < threads; ++t) {
       running.emplace_back([&, t] {
         tested.enter_thread();
         together.arrive_and_wait();
-        start[t] = clock::now();
+        const double start = thread_time();
         const std::size_t count = work.offers.size();
         tested.insert(work, count * t / threads, count * (t + 1) / threads);
-        end[t] = clock::now();
+        took[t] = thread_time() - start;
         tested.leave_thread();
       });
     }
   }
-  const auto took = *std::max_element(end.begin(), end.end()) - *std::min_element(start.begin(), start.end());
-  return std::chrono::duration<double>(took).count();
+  return *std::max_element(took.begin(), took.end());
 }
 
 double median(std::vector<double> values) {

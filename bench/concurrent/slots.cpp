@@ -12,7 +12,7 @@ namespace pelage::bench {
 namespace {
 
 template <std::uint32_t K>
-class cascade : public contender {
+class exchanged : public contender {
  public:
   [[nodiscard]] std::string name() const override { return "atomic_k_buffer"; }
   void prepare(const workload& work) override {
@@ -27,11 +27,11 @@ class cascade : public contender {
   }
   [[nodiscard]] std::uint64_t checksum() const override {
     place_sum sum;
-    for (std::uint32_t slot = 0; slot < storage_.size(); ++slot) {
-      if (slot % K == 0) {
-        sum.begin_list();
+    for (std::uint32_t pixel = 0; pixel < storage_.size() / K; ++pixel) {
+      sum.begin_list();
+      for (const fragment f : atomic_k_buffer::load<K>(storage_, pixel)) {
+        sum.add(f.id);
       }
-      sum.add(atomic_k_buffer::at<K>(storage_, slot / K, slot % K).id);
     }
     return sum.value();
   }
@@ -87,7 +87,7 @@ class spinlock : public contender {
 template <std::uint32_t K>
 std::vector<std::unique_ptr<contender>> contenders_of() {
   std::vector<std::unique_ptr<contender>> all;
-  all.push_back(std::make_unique<cascade<K>>());
+  all.push_back(std::make_unique<exchanged<K>>());
   all.push_back(std::make_unique<spinlock<K>>());
   return all;
 }

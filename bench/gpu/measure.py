@@ -19,7 +19,7 @@ METHODS = {
     ("a_buffer", "mean"): "two-pass [Yu12]: lists; an invocation a pixel replaces in registers",
     ("a_buffer", "none"): "the same, truncated: as Yu has it",
     ("ordered_list", "mean"): "single-pass [Yu12]: lists sorted while they are built",
-    ("atomic_k_buffer", "mean"): "one pass of 64-bit minima",
+    ("atomic_k_buffer", "mean"): "one pass of 64-bit exchanges and minima",
     ("split_k_buffer", "mean"): "two passes of 32-bit minima: depths, ids",
     ("partial_selection_sort", "mean"): "runs; selection stopped after K rounds",
     ("selection_sort", "mean"): "runs; selection of whole lists [Yang10], no K",
@@ -190,8 +190,6 @@ def main():
         "methods": methods_table(program),
         "peeling": peeling_table(program, folder),
         "models": models_table(program, folder),
-
-
         "baselines": baselines_table(program, folder),
         "headline": headline(program, folder / "gpu.png"),
         "steps": steps.tables(draw, program),

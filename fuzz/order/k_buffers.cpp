@@ -47,15 +47,15 @@ held by_selection(const std::vector<fragment>& all) {
 }
 
 template <std::uint32_t K>
-held by_cascade(const std::vector<fragment>& all) {
+held by_exchange(const std::vector<fragment>& all) {
   held h;
   std::vector<std::uint64_t> slots(K, pack(no_fragment()));
   atomic_cells<std::uint64_t> storage{slots};
   for (const fragment f : all) {
     h.lost(atomic_k_buffer::insert<K>(storage, 0u, f));
   }
-  for (std::uint32_t i = 0; i < K; ++i) {
-    h.slot(atomic_k_buffer::at<K>(storage, 0u, i));
+  for (const fragment f : atomic_k_buffer::load<K>(storage, 0u)) {
+    h.slot(f);
   }
   return h;
 }
@@ -88,7 +88,7 @@ void check(const held& h, std::uint32_t k, const std::vector<fragment>& all) {
 template <std::uint32_t K>
 void check_all(const std::vector<fragment>& all) {
   check(by_selection<K>(all), K, all);
-  check(by_cascade<K>(all), K, all);
+  check(by_exchange<K>(all), K, all);
   check(by_split_slots<K>(all), K, all);
 }
 

@@ -25,7 +25,7 @@ struct one_pass {
   static constexpr int passes = 1;
   static void first_pass(Storage&, fragment) {}
   static fragment insert(Storage& s, fragment f) { return atomic_k_buffer::insert<K>(s, 0u, f); }
-  static fragment at(const Storage& s, std::uint32_t i) { return atomic_k_buffer::at<K>(s, 0u, i); }
+  static std::array<fragment, K> load(const Storage& s) { return atomic_k_buffer::load<K>(s, 0u); }
 };
 
 /// The same of a split_k_buffer.
@@ -36,7 +36,13 @@ struct split_slots {
   static constexpr int passes = 2;
   static void first_pass(Storage& s, fragment f) { split_k_buffer::offer_depth<K>(s, 0u, f); }
   static fragment insert(Storage& s, fragment f) { return split_k_buffer::insert<K>(s, 0u, f); }
-  static fragment at(const Storage& s, std::uint32_t i) { return split_k_buffer::at<K>(s, 0u, i); }
+  static std::array<fragment, K> load(const Storage& s) {
+    std::array<fragment, K> slots;
+    for (std::uint32_t i = 0; i < K; ++i) {
+      slots[i] = split_k_buffer::at<K>(s, 0u, i);
+    }
+    return slots;
+  }
 };
 
 /// Inserts into one pixel, a barrier between the passes, a reader behind another barrier, and all that the library
@@ -100,10 +106,7 @@ class slot_program : public program {
   }
 
   void check_slots() const {
-    std::array<fragment, Buffer::slots> held;
-    for (std::uint32_t i = 0; i < Buffer::slots; ++i) {
-      held[i] = Buffer::at(storage_, i);
-    }
+    const std::array<fragment, Buffer::slots> held = Buffer::load(storage_);
     const std::vector<fragment> all = in_order(work_);
     for (std::size_t i = 0; i < held.size(); ++i) {
       expect(same(held[i], i < all.size() ? all[i] : no_fragment()), "the slots are not the K nearest in order");

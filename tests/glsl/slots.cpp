@@ -60,10 +60,12 @@ TEST_CASE("K-buffers of 64-bit slots that 65536 invocations build at once equal 
     std::vector<fragment> expected_lost;
     for (std::uint32_t i = 0; i < fragments.size(); ++i)
       expected_lost.push_back(atomic_k_buffer::insert<k>(storage, i % pixels, fragments[i]));
-    std::vector<std::uint32_t> expected(2 * slots.size());
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-      expected[2 * i] = static_cast<std::uint32_t>(slots[i]);
-      expected[2 * i + 1] = static_cast<std::uint32_t>(slots[i] >> 32U);
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+      for (const fragment f : atomic_k_buffer::load<k>(storage, pixel)) {
+        expected.push_back(std::bit_cast<std::uint32_t>(f.depth));
+        expected.push_back(f.id);
+      }
     }
 
     std::vector<std::uint32_t> offers = offers_of(0U, pixels, fragments);
@@ -71,9 +73,14 @@ TEST_CASE("K-buffers of 64-bit slots that 65536 invocations build at once equal 
     for (std::size_t i = 1; i < built.size(); i += 2)
       built[i] = static_cast<std::uint32_t>(pack(no_fragment()) >> 32U);
     std::vector<std::uint32_t> lost(2 * fragments.size());
-    std::vector<std::uint32_t>* const buffers[] = {&offers, &built, &lost};
-    the_device()->run(kernels::atomic_k_buffer, static_cast<std::uint32_t>(fragments.size()), buffers);
-    CHECK(built == expected);
+    std::vector<std::uint32_t> nearest(expected.size());
+    const auto pass = [&](const kernel& program, std::uint32_t invocations, std::vector<std::uint32_t>& result) {
+      std::vector<std::uint32_t>* const buffers[] = {&offers, &built, &result};
+      the_device()->run(program, invocations, buffers);
+    };
+    pass(kernels::atomic_k_buffer, static_cast<std::uint32_t>(fragments.size()), lost);
+    pass(kernels::atomic_k_buffer_read, pixels, nearest);
+    CHECK(nearest == expected);
     CHECK(packed(lost) == packed(expected_lost));
   });
 }

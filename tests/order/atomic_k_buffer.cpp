@@ -19,11 +19,12 @@ outcome one_pass(const std::vector<fragment>& all, std::uint32_t threads) {
   outcome seen;
   seen.back = offer_all(pixels.storage, all, threads,
                         [](auto& storage, fragment f) { return atomic_k_buffer::insert<K>(storage, 1u, f); });
-  for (std::uint32_t i = 0u; i < K; ++i) {
-    seen.slots.push_back(atomic_k_buffer::at<K>(pixels.storage, 1u, i));
-    const bool neighbours_empty = bits(atomic_k_buffer::at<K>(pixels.storage, 0u, i)) == bits(no_fragment()) &&
-                                  bits(atomic_k_buffer::at<K>(pixels.storage, 2u, i)) == bits(no_fragment());
-    CHECK(neighbours_empty);
+  const auto slots = atomic_k_buffer::load<K>(pixels.storage, 1u);
+  seen.slots.assign(slots.begin(), slots.end());
+  for (const std::uint32_t neighbour : {0u, 2u}) {
+    for (const fragment f : atomic_k_buffer::load<K>(pixels.storage, neighbour)) {
+      CHECK(bits(f) == bits(no_fragment()));
+    }
   }
   return seen;
 }

@@ -4,12 +4,13 @@
 #include <pelage/order/split_k_buffer.hpp>
 #include <tbb/enumerable_thread_specific.h>
 
+#include <array>
 #include <stdexcept>
 
 #include "frame/order/list_memory.hpp"
 #include "frame/order/methods.hpp"
 
-/// The methods that keep K fragments a pixel in slots, built by atomic minima. The list of a pixel takes what falls
+/// The methods that keep K fragments a pixel in slots, built by atomics. The list of a pixel takes what falls
 /// out of its slots.
 namespace pelage::frame {
 namespace {
@@ -30,17 +31,17 @@ void insert_all(const order_job& work, list_memory& memory, Insert&& insert) {
   });
 }
 
-/// Reads every slot: `at(pixel, i)` gives the i-th nearest fragment.
-template <class At>
-void resolve_slots(order_job& work, const list_memory& memory, std::uint32_t k, At&& at) {
+/// Reads every slot: `load(pixel)` gives the K nearest in order.
+template <class Load>
+void resolve_slots(order_job& work, const list_memory& memory, Load&& load) {
   work.report.refused = memory.refused;
   stopwatch watch;
   tbb::enumerable_thread_specific<pixel_resolver> per_thread;
   work.for_each_pixel([&](int x, int y) {
     pixel_resolver& resolver = per_thread.local();
     const std::uint32_t pixel = memory.list(work, x, y);
-    for (std::uint32_t i = 0; i < k && is_fragment(at(pixel, i)); ++i)
-      resolver.nearest.push_back(at(pixel, i));
+    for (const fragment f : load(pixel))
+      if (is_fragment(f)) resolver.nearest.push_back(f);
     memory.append(pixel, resolver.lost);
     resolver.finish(work, x, y);
   });
@@ -56,8 +57,7 @@ void run_atomic(order_job& work, list_memory& memory) {
   insert_all(work, memory,
              [&](std::uint32_t pixel, fragment f) { return atomic_k_buffer::insert<K>(nearest, pixel, f); });
   work.report.build_seconds = watch.lap();
-  resolve_slots(work, memory, K,
-                [&](std::uint32_t pixel, std::uint32_t i) { return atomic_k_buffer::at<K>(nearest, pixel, i); });
+  resolve_slots(work, memory, [&](std::uint32_t pixel) { return atomic_k_buffer::load<K>(nearest, pixel); });
 }
 
 /// Both passes' ends are barriers, as parallel_for() returns when all is done.
@@ -72,8 +72,12 @@ void run_split(order_job& work, list_memory& memory) {
   insert_all(work, memory,
              [&](std::uint32_t pixel, fragment f) { return split_k_buffer::insert<K>(nearest, pixel, f); });
   work.report.build_seconds = watch.lap();
-  resolve_slots(work, memory, K,
-                [&](std::uint32_t pixel, std::uint32_t i) { return split_k_buffer::at<K>(nearest, pixel, i); });
+  resolve_slots(work, memory, [&](std::uint32_t pixel) {
+    std::array<fragment, K> slots;
+    for (std::uint32_t i = 0; i < K; ++i)
+      slots[i] = split_k_buffer::at<K>(nearest, pixel, i);
+    return slots;
+  });
 }
 
 }  // namespace

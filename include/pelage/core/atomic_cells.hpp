@@ -20,15 +20,21 @@ concept falling_cells = requires(Storage& s, const Storage& c, std::uint32_t n, 
   { s.fetch_min(n, value, order) } -> std::same_as<Word>;
 };
 
-/// 32-bit cells that change in every way the structures need. fetch_add adds modulo 2³². A compare-exchange returns
-/// what it found; it took place exactly when that is `expected`, and must not fail spuriously.
+/// The same cells exchanged, too. A compare-exchange returns what it found; it took place exactly when that is the
+/// second argument, and must not fail spuriously.
+template <class Storage, class Word>
+concept exchanged_cells = falling_cells<Storage, Word> &&
+    requires(Storage& s, std::uint32_t n, Word value, std::memory_order order) {
+  { s.compare_exchange(n, value, value, order) } -> std::same_as<Word>;
+};
+
+/// 32-bit cells that change in every way the structures need. fetch_add adds modulo 2³².
 template <class Storage>
-concept cell_storage = falling_cells<Storage, std::uint32_t> &&
+concept cell_storage = exchanged_cells<Storage, std::uint32_t> &&
     requires(Storage& s, std::uint32_t n, std::memory_order order) {
   { s.fetch_max(n, n, order) } -> std::same_as<std::uint32_t>;
   { s.fetch_or(n, n, order) } -> std::same_as<std::uint32_t>;
   { s.fetch_add(n, n, order) } -> std::same_as<std::uint32_t>;
-  { s.compare_exchange(n, n, n, order) } -> std::same_as<std::uint32_t>;
 };
 
 /// Atomic minimum by compare-exchange, for cells that have none of their own (C++ brings one only in 2026). Returns
@@ -80,7 +86,7 @@ struct atomic_cells {
   }
 };
 
-static_assert(cell_storage<atomic_cells<std::uint32_t>> && falling_cells<atomic_cells<std::uint64_t>, std::uint64_t>);
+static_assert(cell_storage<atomic_cells<std::uint32_t>> && exchanged_cells<atomic_cells<std::uint64_t>, std::uint64_t>);
 
 // The changes below commute, so that a cell ends with the same bits for every interleaving. All are lock-free, and
 // wait-free except for add_to_cell() where the hardware has the change. All accesses are relaxed: a cell is a number

@@ -18,16 +18,19 @@
 /// caller joins its threads, or waits at a barrier that synchronises them. 8 K bytes a pixel: cells
 /// [2 K · pixel, 2 K · (pixel + 1)), depth keys and then as many ids, all ones at first. K in [1, 64].
 ///
-/// The first pass is atomic_k_buffer's cascade on depth keys alone: it leaves the K smallest in order, equal ones with
-/// their multiplicity. Then the slots of one depth are a run, and the second pass is the same cascade of ids along
-/// that run: it leaves the run's smallest ids in order. Only a run that ends at slot K - 1 may have more fragments
-/// than slots; its larger ids fall out.
+/// The first pass is a cascade of atomic minima on depth keys: each leaves the smaller of two values in a slot and
+/// carries the other on to the next, so nothing is lost or doubled. What has passed a slot is no smaller than what the
+/// slot holds from then on, since slots only fall: the cascade leaves the K smallest in order, equal ones with their
+/// multiplicity. Then the slots of one depth are a run, and the second pass is the same cascade of ids along that run:
+/// it leaves the run's smallest ids in order. Only a run that ends at slot K - 1 may have more fragments than slots;
+/// its larger ids fall out. Which thread came first does not enter.
 namespace pelage::inline PELAGE_ABI::split_k_buffer {
 
 /// First pass: offers a fragment's depth. What is_fragment() refuses is left out. `pixel`: [0, size() / (2 K)).
 /// Wait-free where the minimum of the hardware is, else lock-free. O(K).
 ///
-/// (1) and (2) relaxed, as (1) and (3) of atomic_k_buffer.
+/// (1) is relaxed: a stale value is one that the slot held before, hence no smaller, and only leads to steps that could
+/// have been spared. (2) is relaxed: the slot holds all there is to know, and publishes nothing else.
 template <std::uint32_t K, falling_cells<std::uint32_t> Storage>
 void offer_depth(Storage& storage, std::uint32_t pixel, fragment offered) noexcept {
   static_assert(K >= 1u && K <= 64u, "pelage::split_k_buffer: K must be in [1, 64]");

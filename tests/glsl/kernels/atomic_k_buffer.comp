@@ -13,6 +13,13 @@
 
 void main() {
   const uint i = gl_GlobalInvocationID.x;
+#ifdef READ
+  if (i >= pixels) return;
+  const pelage_fragment nearest[8] = pelage_atomic_k_buffer_load(i);
+  for (uint j = 0u; j < 8u; ++j)
+    lost[8u * i + j] = nearest[j];
+#else
   if (i >= uint(offered.length())) return;
   lost[i] = pelage_atomic_k_buffer_insert(i % pixels, offered[i]);
+#endif
 }

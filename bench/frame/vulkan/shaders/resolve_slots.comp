@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// Each pixel's slots, sorted as they are, and its list of what fell out. In: slots, pool, links. Out: what the sink
+// Each pixel's slots, sorted, and its list of what fell out. In: slots, pool, links. Out: what the sink
 // writes. One invocation a pixel; bounded by the list's dependent loads.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -18,6 +18,7 @@ void main() {
     return;
   }
   sink_begin(at, false);
+  slots_begin(index_of(at));
   for (uint i = 0u; i < uint(K); ++i) {
     const pelage_fragment f = slot_at(index_of(at), i);
     if (!pelage_is_fragment(f)) {

@@ -30,4 +30,12 @@ uint64_t pelage_atomic_cells_64_fetch_min(uint pelage_cell, uint64_t pelage_valu
       atomicMin(PELAGE_ATOMIC_CELLS_64_WORDS(pelage_cell), pelage_release(pelage_value, pelage_order)), pelage_order);
 }
 
+uint64_t pelage_atomic_cells_64_compare_exchange(uint pelage_cell, uint64_t pelage_expected, uint64_t pelage_desired,
+                                                 int pelage_order) {
+  pelage_expected = pelage_acquire(atomicCompSwap(PELAGE_ATOMIC_CELLS_64_WORDS(pelage_cell), pelage_expected,
+                                                  pelage_release(pelage_desired, pelage_order)),
+                                   pelage_order);
+  return pelage_expected;
+}
+
 #endif

@@ -11,10 +11,11 @@
 // For a second size in one shader define it anew and PELAGE_PREFIX, a word that takes the place of
 // `pelage` in the names, and include this file again.
 #ifdef PELAGE_PREFIX
+#undef PELAGE_SORT_NETWORK_K
 #define PELAGE_PASTE_(prefix, name) prefix##name
 #define PELAGE_PASTE(prefix, name) PELAGE_PASTE_(prefix, name)
-#define pelage_atomic_k_buffer_at PELAGE_PASTE(PELAGE_PREFIX, _atomic_k_buffer_at)
 #define pelage_atomic_k_buffer_insert PELAGE_PASTE(PELAGE_PREFIX, _atomic_k_buffer_insert)
+#define pelage_atomic_k_buffer_load PELAGE_PASTE(PELAGE_PREFIX, _atomic_k_buffer_load)
 #else
 uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shader();
 #endif
@@ -27,73 +28,105 @@ uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shade
 #include "../core/atomic_cells_64.glsl"
 #include "../core/fragment.glsl"
 #include "packed_fragment.glsl"
+#ifndef PELAGE_SORT_NETWORK_K
+#define PELAGE_SORT_NETWORK_K PELAGE_ATOMIC_K_BUFFER_K
+#elif PELAGE_SORT_NETWORK_K != PELAGE_ATOMIC_K_BUFFER_K
+#error order/atomic_k_buffer.glsl: PELAGE_SORT_NETWORK_K is in use with another value, define PELAGE_PREFIX for a second one
+#endif
+#include "sorting_network.glsl"
 
-/// The K fragments of each pixel nearest the eye, sorted, built by many threads in one pass and fixed memory: a
-/// cascade of atomic minima.
+#ifdef PELAGE_PREFIX
+#define pelage_sort_network PELAGE_PASTE(PELAGE_PREFIX, _sort_network)
+#endif
+
+/// The K fragments of each pixel nearest the eye, built by many threads in one pass and fixed memory: a K-buffer whose
+/// slots are exchanged.
 ///
 /// Keeps the K first of the total order; drops nothing silently, since pelage_atomic_k_buffer_insert() hands back what
-/// falls out, for the caller's tail (composite/atomic_tail.glsl). Once all inserts are done, the slots and the set of
-/// what fell out depend on the set of fragments alone. Build and read are two phases, as with a_buffer. 8 K bytes a
-/// pixel: cells [pixel · K, (pixel + 1) · K), all pelage_pack(pelage_no_fragment()) at first; no pool, so nothing can
-/// fill up. K in [1, 64].
+/// falls out, for the caller's tail (composite/atomic_tail.glsl). Once all inserts are done, what
+/// pelage_atomic_k_buffer_load() gives and the set of what fell out depend on the set of fragments alone. Build and
+/// read are two phases, as with a_buffer. 8 K bytes a pixel: cells [pixel · K, (pixel + 1) · K), all
+/// pelage_pack(pelage_no_fragment()) at first; no pool, so nothing can fill up. K in [1, 64].
 ///
-/// Proof. (a) Nothing is lost or doubled: each minimum leaves one of two values in the slot and carries the other on,
-/// and it is atomic. (b) A value that has passed a slot is larger than what the slot holds from then on: the minimum
-/// left something smaller there, and slots only fall. So when all inserts are done, each slot holds less than the
-/// slots behind it, since those values passed it, and less than all that fell out: the slots hold the K smallest, in
-/// order. Which thread came first, and in which order steps on different slots became visible, does not enter.
+/// The first K - 1 slots, in no order, are select-and-replace as in a pelage_k_buffer; what they do not hold goes on to
+/// the last slot, a minimum, which so holds the K-th nearest: a fragment behind it comes back after one load.
 ///
-/// A value may also pass a slot without a minimum, if that slot or one behind it was seen to hold less: what was seen
-/// there has passed the slot itself, so (b) holds again.
+/// Proof. (a) Nothing is lost or doubled: each exchange and each minimum leaves one of two values in the slot and
+/// carries the other on, and it is atomic. (b) A value that goes on to the last slot is larger than each slot before
+/// it will hold in the end: slots only fall, and the slot that it comes from was given something smaller; every other
+/// one was seen to hold something smaller. (c) So when all inserts are done, the first K - 1 slots hold the K - 1
+/// smallest, the last slot the smallest of all others, and the rest fell out. A value larger than what was seen in the
+/// last slot is larger than what went there, hence by (b) than all slots: it would have fallen out. Which thread came
+/// first, and in which order steps on different slots became visible, does not enter.
 
-/// Offers a fragment. Returns what fell out: a fragment that others pushed on, itself where K nearer ones are held,
+/// Offers a fragment. Returns what fell out: a fragment that others pushed out, itself where K nearer ones are held,
 /// or pelage_no_fragment(). What pelage_is_fragment() refuses comes back as it is. Depths -0 come back as +0. Over all
 /// inserts of a pixel, what comes back is each fragment that is not among the K nearest, once; which call it comes back
 /// from depends on the interleaving. For a tail, look up alpha and colour by the id that comes back.
 ///
-/// `pixel`: [0, size() / K). Wait-free where the minimum of the hardware is, else lock-free: a step is
-/// repeated only because another insert made the same slot smaller. O(log K) loads for a fragment that is too far or
-/// finds its place at the end, K - i minima for one that finds it at slot i.
+/// `pixel`: [0, size() / K). Lock-free: a step is repeated only because another insert made the same slot smaller. One
+/// load for a fragment that is too far; K loads, an exchange and a minimum at most for one that stays.
 ///
-/// (1) and (2) are relaxed: a stale value is one that the slot held before, hence no smaller, and only leads to a
-/// step that could have been spared. (3) is relaxed: the slot holds all there is to know, and publishes nothing else.
+/// (1) and (2) are relaxed: a stale value is one that the slot held before, hence no smaller, and leads to a step that
+/// could have been spared, or to an exchange (3) that fails. (3) and (4) are relaxed: a slot holds all there is to
+/// know, and publishes nothing else.
+pelage_fragment pelage_atomic_k_buffer_insert(uint pixel, pelage_fragment offered);
+
+/// The K nearest fragments of a pixel, nearest first, pelage_no_fragment() behind the last. Not concurrent with insert:
+/// (5) is relaxed, the barrier between the phases orders it after every (3) and (4). `pixel` as above. O(K log² K).
+pelage_fragment[PELAGE_ATOMIC_K_BUFFER_K] pelage_atomic_k_buffer_load(uint pixel);
+
+// ---------------------------------------------------------------------------------------------------------
+
 pelage_fragment pelage_atomic_k_buffer_insert(uint pixel, pelage_fragment offered) {
   if (!pelage_is_fragment(offered)) {
     return offered;
   }
   const uint first = pixel * PELAGE_ATOMIC_K_BUFFER_K;
+  const uint last = first + PELAGE_ATOMIC_K_BUFFER_K - 1u;
   uint64_t carried = pelage_pack(offered);
-  if (pelage_atomic_cells_64_load(first + PELAGE_ATOMIC_K_BUFFER_K - 1u, pelage_memory_order_relaxed) <
-      carried) {  // (1)
+  if (pelage_atomic_cells_64_load(last, pelage_memory_order_relaxed) < carried) {  // (1)
     return pelage_unpack(carried);
   }
-  uint begin = 0u;
-  uint end = PELAGE_ATOMIC_K_BUFFER_K - 1u;
-  while (begin < end) {
-    const uint middle = (begin + end) / 2u;
-    if (pelage_atomic_cells_64_load(first + middle, pelage_memory_order_relaxed) < carried) {  // (2)
-      begin = middle + 1u;
-    } else {
-      end = middle;
+  bool placed = false;
+  while (!placed) {
+    uint64_t farthest = carried;
+    uint place = last;
+    for (uint i = first; i < last; ++i) {
+      const uint64_t seen = pelage_atomic_cells_64_load(i, pelage_memory_order_relaxed);  // (2)
+      const bool farther = farthest < seen;
+      farthest = farther ? seen : farthest;
+      place = farther ? i : place;
+    }
+    placed = place == last;
+    if (!placed) {
+      const uint64_t found =
+          pelage_atomic_cells_64_compare_exchange(place, farthest, carried, pelage_memory_order_relaxed);  // (3)
+      placed = found == farthest;
+      carried = placed ? farthest : carried;
     }
   }
-  for (uint i = begin; i < PELAGE_ATOMIC_K_BUFFER_K && carried != pelage_pack(pelage_no_fragment()); ++i) {
-    const uint64_t held = pelage_atomic_cells_64_fetch_min(first + i, carried, pelage_memory_order_relaxed);  // (3)
+  if (carried != pelage_pack(pelage_no_fragment())) {
+    const uint64_t held = pelage_atomic_cells_64_fetch_min(last, carried, pelage_memory_order_relaxed);  // (4)
     carried = max(held, carried);
   }
   return pelage_unpack(carried);
 }
 
-/// The i-th nearest fragment of a pixel, or pelage_no_fragment() behind the last. `i`: [0, K). Not concurrent with
-/// insert: (4) is relaxed, the barrier between the phases orders it after every (3).
-pelage_fragment pelage_atomic_k_buffer_at(uint pixel, uint i) {
-  return pelage_unpack(
-      pelage_atomic_cells_64_load(pixel * PELAGE_ATOMIC_K_BUFFER_K + i, pelage_memory_order_relaxed));  // (4)
+pelage_fragment[PELAGE_ATOMIC_K_BUFFER_K] pelage_atomic_k_buffer_load(uint pixel) {
+  pelage_fragment nearest[PELAGE_ATOMIC_K_BUFFER_K];
+  for (uint i = 0u; i < PELAGE_ATOMIC_K_BUFFER_K; ++i) {
+    nearest[i] = pelage_unpack(
+        pelage_atomic_cells_64_load(pixel * PELAGE_ATOMIC_K_BUFFER_K + i, pelage_memory_order_relaxed));  // (5)
+  }
+  pelage_sort_network(nearest);
+  return nearest;
 }
 
 #ifdef PELAGE_PREFIX
-#undef pelage_atomic_k_buffer_at
 #undef pelage_atomic_k_buffer_insert
+#undef pelage_atomic_k_buffer_load
+#undef pelage_sort_network
 #else
 #define PELAGE_ORDER_ATOMIC_K_BUFFER_GLSL
 #endif
