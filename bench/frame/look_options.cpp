@@ -69,7 +69,8 @@ void read_look(const look_options& o, fibre_look& look) {
   for (const CLI::Option* option : o.of_fibres) {
     const bool is_used = look.passing == attenuation::fresnel && option->get_name() == "--eta";
     if (look.model == bsdf_model::kajiya_kay && option->count() > 0 && !is_used) {
-      throw std::invalid_argument(option->get_name() + " needs --bsdf marschner, chiang or dual_scattering");
+      const std::string or_else = option->get_name() == "--eta" ? " or --attenuation fresnel" : "";
+      throw std::invalid_argument(option->get_name() + " needs --bsdf marschner, chiang or dual_scattering" + or_else);
     }
   }
   for (const CLI::Option* option : o.of_lobes) {

@@ -65,6 +65,19 @@ TEST_CASE("By Fresnel's attenuation a device's picture is the processor's except
   }
 }
 
+TEST_CASE("By Fresnel's attenuation each model of one scattering draws the processor's picture") {
+  for (const bsdf_model model : {bsdf_model::marschner, bsdf_model::chiang}) {
+    CAPTURE(static_cast<int>(model));
+    frame_settings settings = small_frame();
+    settings.look.eta = 1.9F;
+    settings.look.model = model;
+    const std::optional<device_frame> got = draw(settings);
+    if (!got) return;
+    const image expected = draw_frame(small_hair(), settings, [](const std::string&, double) {}).picture;
+    CHECK(compare(got->picture, expected).rms < 0.001);
+  }
+}
+
 TEST_CASE("By Fresnel's attenuation every structure draws one picture") {
   std::optional<std::uint64_t> first;
   for (const order_method order : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,

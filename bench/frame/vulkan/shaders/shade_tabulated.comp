@@ -26,7 +26,7 @@ void shade(uint i) {
     sum += light.colour * scatter(tangent, light.to_light, to_eye, passed, opacities[i]);
   }
   const vec3 held = min(sum, vec3(65504.0));  // the largest half
-  const float opacity = scene.translucent ? opacities[i] : 1.0;
+  const float opacity = scene.translucent ? opacities[VIEW.first_opacity + i] : 1.0;
   shaded[i] = uvec2(packHalf2x16(held.xy), packHalf2x16(vec2(held.z, opacity)));
 }
 

@@ -145,7 +145,9 @@ vec3 scatter(vec3 tangent, vec3 to_light, vec3 to_eye, passage passed, float opa
 #else
   const vec3 share = chiang_share(a);
 #endif
-  return pi * arriving(passed, azimuthal_at(a.light.sine).passage) * share;
+  const vec3 arrives = scene.eta > 0.0 ? vec3(passed.transmittance)  // of which A has the lobe's part
+                                       : arriving(passed, azimuthal_at(a.light.sine).passage);
+  return pi * arrives * share;
 #endif
 }
 
