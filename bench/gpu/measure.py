@@ -25,7 +25,8 @@ METHODS = {
     ("selection_sort", "mean"): "runs; selection of whole lists [Yang10], no K",
 }
 SIZES = [8, 16, 32, 64]
-MODELS = ["kajiya_kay", "marschner", "chiang", "dual_scattering"]
+MODELS = ["--bsdf kajiya_kay", "--attenuation fresnel", "--lookup jittered", "--bsdf marschner", "--bsdf chiang",
+          "--bsdf dual_scattering"]
 FRAMES = 50
 BASELINE_SHADOWS = ["occupancy", "opacity:16", "opacity:128", "opacity:256", "deep_opacity:4", "deep_opacity:8",
                     "deep_opacity:16", "deep_opacity:32", "deep_opacity_growing:4", "deep_opacity_growing:8",
@@ -111,13 +112,13 @@ def peeling_table(program, folder):
 
 
 def models_table(program, folder):
-    """What the models of a fibre cost, and how far the device's pictures are from the processor's."""
+    """What a fibre's model, attenuation and look-ups cost, and how far a device's pictures are from the processor's."""
     print("\n50 000 strands, 640 x 640, K = 16, blond: milliseconds; RMS and largest difference from the CPU's picture")
-    print(f"{'--bsdf':18}{'frame':>8}{'shade':>8}{'cover':>8}{'MB':>8}{'RMS':>10}{'largest':>10}   one hash")
+    print(f"{'':23}{'frame':>8}{'shade':>8}{'cover':>8}{'MB':>8}{'RMS':>10}{'largest':>10}   one hash")
     all_reports = {}
     for model in MODELS:
-        options = HAIR + ["--bsdf", model, "--hair-colour", "blond"]
-        truth = folder / f"cpu_{model}.png"
+        options = HAIR + [*model.split(), "--hair-colour", "blond"]
+        truth = folder / f"cpu_{model.split()[1]}.png"
         command = [program, "--shading-spacing", "inf", "--out", str(truth)] + options
         subprocess.run(command, check=True, capture_output=True)
         r = draw(program, options + ["--compare", str(truth)], FRAMES)
@@ -126,7 +127,7 @@ def models_table(program, folder):
             sum(p["milliseconds"] for p in r["passes"] if p["name"].startswith(name)) for name in ("shade", "cover")
         )
         print(
-            f"{model:18}{r['milliseconds']:8.2f}{shade:8.2f}{cover:8.2f}{r['device_bytes'] / 1e6:8.0f}"
+            f"{model:23}{r['milliseconds']:8.2f}{shade:8.2f}{cover:8.2f}{r['device_bytes'] / 1e6:8.0f}"
             f"{r['rms']:10.5f}{r['maximum']:10.3f}   {r['same_hash']} of {r['frames']}"
         )
     return all_reports
