@@ -37,7 +37,7 @@ struct scene {
   glm::vec3 sky;  ///< radiance from all sides, linear RGB
   fibre_bsdf bsdf;
   map_lookup lookup = map_lookup::filtered;  ///< of fibres in the lights' maps
-  glm::vec3 ambient{0.0F};  ///< the same of a light that nothing shadows and no background shows
+  glm::vec3 ambient{0.0F};                   ///< the same of a light that nothing shadows and no background shows
 
   /// Radiance of a fibre toward `to_eye` (unit) at a place on a segment, linear RGB.
   [[nodiscard]] glm::vec3 fibre_radiance(std::uint32_t segment, float along, const glm::vec3& to_eye) const;
