@@ -43,6 +43,7 @@
 #include <pelage/composite/stochastic.hpp>
 #include <pelage/composite/tail.hpp>
 #include <pelage/composite/transmittance.hpp>
+#include <pelage/composite/trigonometric_moments.hpp>
 #include <pelage/composite/weighted_average.hpp>
 #include <pelage/composite/weighted_blended.hpp>
 #include <pelage/composite/weighted_sum.hpp>
@@ -250,6 +251,14 @@ template void atomic_power_moments::add<power_moments<4u>>(cells&, std::uint32_t
 template void atomic_power_moments::add<power_moments<6u>>(cells&, std::uint32_t, const power_moments<6u>&) noexcept;
 template power_moments<4u> atomic_power_moments::load(const cells&, std::uint32_t) noexcept;
 template power_moments<6u> atomic_power_moments::load(const cells&, std::uint32_t) noexcept;
+template struct trigonometric_moments<2u>;
+template struct trigonometric_moments<3u>;
+template void atomic_trigonometric_moments::add<trigonometric_moments<2u>>(cells&, std::uint32_t,
+                                                                           const trigonometric_moments<2u>&) noexcept;
+template void atomic_trigonometric_moments::add<trigonometric_moments<3u>>(cells&, std::uint32_t,
+                                                                           const trigonometric_moments<3u>&) noexcept;
+template trigonometric_moments<2u> atomic_trigonometric_moments::load(const cells&, std::uint32_t) noexcept;
+template trigonometric_moments<3u> atomic_trigonometric_moments::load(const cells&, std::uint32_t) noexcept;
 
 // bsdf
 template kajiya_kay_lobes<float> kajiya_kay(const vec3&, const vec3&, const vec3&, float) noexcept;

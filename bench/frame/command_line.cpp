@@ -125,7 +125,8 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
          "how fragments become a pixel: k_buffer, exact, order_weighted, weighted_average, weighted_blended, "
          "deep_opacity:N or deep_opacity_corrected:N with N layers, 4, 8 ... 256, depth_peeling, stochastic:N with "
          "N samples, 1, 2, 4 ... 64, sliced:N or sliced_clipped:N with N slices, 8, 16 ... 1024, else 256, moments:N "
-         "with N power moments, 4 or 6, or layers:N with N layers, 1, 2, 4 ... 32; --k and --order are k_buffer's")
+         "with N power moments, 4 or 6, trigonometric:N with 2 or 3, or layers:N with N layers, 1, 2, 4 ... 32; --k "
+         "and --order are k_buffer's")
       ->capture_default_str();
   CLI::Option* tail =
       app.add_option(

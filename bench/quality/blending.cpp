@@ -133,6 +133,8 @@ const std::vector<blending> blendings{
     {"stochastic 32", by_samples<32>},
     {"power moments 4", by_moments<power_moments<4>>},
     {"power moments 6", by_moments<power_moments<6>>},
+    {"trigonometric moments 2", by_moments<trigonometric_moments<2>>},
+    {"trigonometric moments 3", by_moments<trigonometric_moments<3>>},
     {"alpha layers 4", by_layers<4>},
     {"alpha layers 8", by_layers<8>},
     {"alpha layers 16", by_layers<16>},

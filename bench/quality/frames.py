@@ -17,7 +17,7 @@ SHADOWS = ["exact", "k_buffer", "occupancy", "opacity:16", "opacity:128", "deep_
            "deep_opacity_growing:16", "deep_opacity_growing:32", "deep:0.01", "deep:0.1"]
 BLENDS = ["exact", "depth_peeling", "k_buffer", "k_buffer --tail none", "k_buffer --tail sliced:16", "order_weighted",
           "weighted_average", "weighted_blended", "deep_opacity:32", "deep_opacity_corrected:32", "stochastic:8",
-          "stochastic:32", "moments:4", "moments:6", "layers:4", "layers:16"]
+          "stochastic:32", "moments:4", "moments:6", "trigonometric:2", "trigonometric:3", "layers:4", "layers:16"]
 SIDE = 400
 MODEL = ["--strands", "20000", "--size", str(SIDE)]
 

@@ -22,9 +22,10 @@ using namespace frame;
 using layers = std::vector<layer>;
 using blend = std::function<glm::vec3(const layers&, const glm::vec3&)>;
 
-const std::vector<blend> by_moments{blend_moments<power_moments<4>>, blend_moments<power_moments<6>>};
-const std::vector<blend> all_blends{blend_moments<power_moments<4>>, blend_moments<power_moments<6>>, blend_layers<1>,
-                                    blend_layers<4>};
+const std::vector<blend> by_moments{blend_moments<power_moments<4>>, blend_moments<power_moments<6>>,
+                                    blend_moments<trigonometric_moments<2>>, blend_moments<trigonometric_moments<3>>};
+const std::vector<blend> all_blends{blend_layers<1>, blend_layers<4>, by_moments[0],
+                                    by_moments[1],   by_moments[2],   by_moments[3]};
 
 layer any_layer(std::uint32_t id, float depth, float alpha) {
   return {{depth, id}, alpha, any_vec3(0.0F, 2.0F)};
@@ -86,7 +87,7 @@ TEST_CASE("without layers the background is left; one, any number of one colour,
       RC_ASSERT(near(by(one, background), over_all(one, background), 2e-3 * static_cast<double>(one[0].alpha) + 2e-6));
       RC_ASSERT(near(by(alike, background), over_all(alike, background), 2e-3));
     }
-    for (const blend& by : {all_blends[2], all_blends[3]})
+    for (const blend& by : {all_blends[0], all_blends[1]})
       RC_ASSERT(near(by(hidden, background), glm::dvec3(hidden.back().radiance), 1e-6));
   });
 }
@@ -111,10 +112,10 @@ TEST_CASE("as many layers as are kept are sorted") {
   });
 }
 
-TEST_CASE("moments come nearer to sorting than nothing but the mean does, six nearer than four") {
+TEST_CASE("moments come nearer to sorting than nothing but the mean does, more of them nearer") {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> any(0.0F, 1.0F);
-  std::vector<double> squares(3, 0.0);
+  std::vector<double> squares(5, 0.0);
   for (int pixel = 0; pixel < 300; ++pixel) {
     layers all;
     for (std::uint32_t id = 0; id < 24; ++id)
@@ -124,23 +125,29 @@ TEST_CASE("moments come nearer to sorting than nothing but the mean does, six ne
     tail mean = empty_tail();
     for (const layer& l : all)
       mean = add_fragment(mean, l.alpha, l.radiance);
-    const glm::dvec3 errors[]{glm::dvec3(resolve(mean, background)) - truth,
-                              glm::dvec3(by_moments[0](all, background)) - truth,
-                              glm::dvec3(by_moments[1](all, background)) - truth};
-    for (std::size_t i = 0; i < 3; ++i)
+    const glm::dvec3 errors[]{
+        glm::dvec3(resolve(mean, background)) - truth, glm::dvec3(by_moments[0](all, background)) - truth,
+        glm::dvec3(by_moments[1](all, background)) - truth, glm::dvec3(by_moments[2](all, background)) - truth,
+        glm::dvec3(by_moments[3](all, background)) - truth};
+    for (std::size_t i = 0; i < 5; ++i)
       squares[i] += glm::dot(errors[i], errors[i]);
   }
   CHECK(squares[1] < 0.25 * squares[0]);
   CHECK(squares[2] < squares[1]);
+  CHECK(squares[3] < 0.5 * squares[0]);
+  CHECK(squares[4] < squares[3]);
 }
 
 TEST_CASE("what is no number of moments or of layers is refused") {
-  for (const char* text : {"moments", "moments:5", "moments:2", "moments:x", "layers", "layers:0", "layers:3"}) {
+  for (const char* text : {"moments", "moments:5", "moments:2", "moments:x", "trigonometric:4", "trigonometric",
+                           "layers", "layers:0", "layers:3"}) {
     CAPTURE(text);
     CHECK_THROWS_AS((void)parse_blend(text), std::invalid_argument);
   }
   CHECK(parse_blend("moments:6").method == blend_method::moments);
   CHECK(parse_blend("moments:6").size == 6);
+  CHECK(parse_blend("trigonometric:3").method == blend_method::trigonometric);
+  CHECK(parse_blend("trigonometric:3").size == 3);
   CHECK(parse_blend("layers:16").method == blend_method::layers);
   CHECK(parse_blend("layers:16").size == 16);
 }

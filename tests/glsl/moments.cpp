@@ -3,6 +3,7 @@
 #include <pelage/composite/alpha_layers.hpp>
 #include <pelage/composite/optical_depth.hpp>
 #include <pelage/composite/power_moments.hpp>
+#include <pelage/composite/trigonometric_moments.hpp>
 
 #include "glsl/comparison.hpp"
 #include "glsl/kernels.hpp"
@@ -19,10 +20,12 @@ void moments_row(row in, results& out) {
   const float at = in.f(4 * fragments);
   const glm::vec3 colour = in.v3(4 * fragments + 1);
   auto moments = power_moments<N>::empty();
+  auto angles = trigonometric_moments<N / 2>::empty();
   auto layers = alpha_layers<4>::empty();
   for (std::size_t i = 0; i < fragments; ++i) {
     const float alpha = in.f(4 * i + 1);
     moments.add(in.f(4 * i), optical_depth(alpha));
+    angles.add(in.f(4 * i), optical_depth(alpha));
     layers.insert({in.f(4 * i + 2), in.u(4 * i + 3)}, alpha, colour * static_cast<float>(i));
   }
   for (std::size_t i = 0; i < 5; ++i)
@@ -38,6 +41,15 @@ void moments_row(row in, results& out) {
   out.put(layers.transmittance());
   out.put(layers.resolve(glm::vec3(colour.z, colour.y, colour.x)));
   out.put(moments.sum[N]);
+  for (std::size_t i = 0; i < 5; ++i)
+    out.put(angles.sum[i]);
+  out.put(angles.sum[N]);
+  const trigonometric_visibility circle = angles.visibility();
+  const moment_bounds interval = circle.interval_before(at);
+  out.put(transmittance_of(interval.least));
+  out.put(transmittance_of(interval.most));
+  out.put(transmittance_of(circle.amount_before(at)));
+  out.put(transmittance_of(circle.amount_before_fragment(in.f(0), optical_depth(in.f(1)))));
 }
 
 }  // namespace
@@ -60,7 +72,11 @@ TEST_CASE("Moments have the same sums on every device, what passes differs by le
                                     {"alpha_layers insert", 4, bits(), bits()},
                                     {"alpha_layers transmittance", 1, 0, 0},
                                     {"alpha_layers resolve", 3, 0, 0},
-                                    {"power_moments add of the last", 1, bits(), bits()}};
+                                    {"power_moments add of the last", 1, bits(), bits()},
+                                    {"trigonometric_moments add", 6, bits(), bits()},
+                                    {"trigonometric_visibility interval_before", 2, 0, 8192, 1.0F},
+                                    {"trigonometric_visibility amount_before", 1, 0, 8192, 1.0F},
+                                    {"trigonometric_visibility amount_before_fragment", 1, 0, 8192, 1.0F}};
   holds("4 moments", [&] { compare(kernels::moments_4, inputs, moments_row<4>, columns); });
   holds("6 moments", [&] { compare(kernels::moments_6, inputs, moments_row<6>, columns); });
 }

@@ -74,6 +74,12 @@ order_report draw_by_moments(camera_film& film, const raster& from, const order_
                         size == 4 ? blend_moments<power_moments<4>> : blend_moments<power_moments<6>>);
 }
 
+order_report draw_by_trigonometric(camera_film& film, const raster& from, const order_options& order,
+                                   std::uint32_t size) {
+  return draw_unordered(film, from, order,
+                        size == 2 ? blend_moments<trigonometric_moments<2>> : blend_moments<trigonometric_moments<3>>);
+}
+
 order_report draw_by_layers(camera_film& film, const raster& from, const order_options& order, std::uint32_t size) {
   order_report report;
   const bool compiled = with_compiled_size<compiled_alpha_layers>(
@@ -124,6 +130,9 @@ blend_choice parse_blend(const std::string& text) {
   if (given.word() == "moments") {
     return {.method = blend_method::moments, .size = given.one_of(compiled_moments, "moments")};
   }
+  if (given.word() == "trigonometric") {
+    return {.method = blend_method::trigonometric, .size = given.one_of(compiled_trigonometric, "moments")};
+  }
   if (given.word() == "layers") {
     return {.method = blend_method::layers, .size = given.one_of(compiled_alpha_layers, "layers")};
   }
@@ -131,7 +140,8 @@ blend_choice parse_blend(const std::string& text) {
   if (found == plain.end()) {
     given.fail(
         "not exact, k_buffer, order_weighted, weighted_average, weighted_blended, deep_opacity:N, "
-        "deep_opacity_corrected:N, depth_peeling, stochastic:N, sliced:N, sliced_clipped:N, moments:N or layers:N");
+        "deep_opacity_corrected:N, depth_peeling, stochastic:N, sliced:N, sliced_clipped:N, moments:N, "
+        "trigonometric:N or layers:N");
   }
   given.without_argument();
   return {found->second};
@@ -171,6 +181,8 @@ order_report draw_on(camera_film& film, const blend_choice& choice, const raster
                          choice.method == blend_method::sliced ? at_planes::whole : at_planes::clipped);
     case blend_method::moments:
       return draw_by_moments(film, from, order, choice.size);
+    case blend_method::trigonometric:
+      return draw_by_trigonometric(film, from, order, choice.size);
     case blend_method::layers:
       return draw_by_layers(film, from, order, choice.size);
   }

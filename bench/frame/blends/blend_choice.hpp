@@ -25,6 +25,7 @@ enum class blend_method {
   sliced,                  ///< in the order of the depth slices of segments' farther ends [Svoboda §1.3.3]
   sliced_clipped,          ///< the same of segments that are cut at the slices' planes [Sintorn & Assarsson 2008]
   moments,                 ///< by what power moments tell of the pixel [Münstermann et al. 2018]
+  trigonometric,           ///< by trigonometric moments
   layers                   ///< as layers, of which the farthest are merged [Salvi & Vaidyanathan 2014]
 };
 
@@ -39,6 +40,7 @@ inline constexpr std::array<std::uint32_t, 7> blended_layers{4, 8, 16, 32, 64, 1
 
 /// Moments and layers a pixel that the renderer is compiled for.
 inline constexpr std::array<std::uint32_t, 2> compiled_moments{4, 6};
+inline constexpr std::array<std::uint32_t, 2> compiled_trigonometric{2, 3};
 inline constexpr std::array<std::uint32_t, 6> compiled_alpha_layers{1, 2, 4, 8, 16, 32};
 
 /// A method and its parameters.
@@ -53,8 +55,8 @@ struct blend_choice {
 
 /// Reads "exact", "k_buffer", "order_weighted", "weighted_average", "weighted_blended", "deep_opacity:N",
 /// "deep_opacity_corrected:N", "depth_peeling", "stochastic:N", "sliced", "sliced:N", "sliced_clipped",
-/// "sliced_clipped:N", 256 slices without N, "moments:N" or "layers:N"; the seed is another option's. Throws
-/// std::invalid_argument with one line that says what is wrong.
+/// "sliced_clipped:N", 256 slices without N, "moments:N", "trigonometric:N" or "layers:N"; the seed is another
+/// option's. Throws std::invalid_argument with one line that says what is wrong.
 [[nodiscard]] blend_choice parse_blend(const std::string& text);
 
 /// Slices that a pixel's tails can be cut into.

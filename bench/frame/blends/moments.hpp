@@ -4,6 +4,7 @@
 #include <pelage/composite/alpha_layers.hpp>
 #include <pelage/composite/order_weighted.hpp>
 #include <pelage/composite/power_moments.hpp>
+#include <pelage/composite/trigonometric_moments.hpp>
 #include <pelage/visibility/depth_range.hpp>
 
 #include <glm/vec3.hpp>

@@ -4,13 +4,14 @@
 #extension GL_GOOGLE_include_directive : require
 #define FRAGMENTS 8u
 #define STRIDE (4u * FRAGMENTS + 4u)
-#define RESULTS 18u
+#define RESULTS 28u
 #include "table.glsl"
 
 #define PELAGE_ATOMIC_CELLS_WORDS(i) results[i]
 #include "pelage/glsl/composite/alpha_layers.glsl"
 #include "pelage/glsl/composite/optical_depth.glsl"
 #include "pelage/glsl/composite/power_moments.glsl"
+#include "pelage/glsl/composite/trigonometric_moments.glsl"
 
 uint next = 0u;
 void give(uint value) { put(next++, value); }
@@ -26,6 +27,7 @@ void main() {
   const vec3 colour = v3(4u * FRAGMENTS + 1u);
   pelage_power_moments moments = pelage_power_moments_empty();
   pelage_power_moments others = pelage_power_moments_empty();
+  pelage_trigonometric_moments angles = pelage_trigonometric_moments_empty();
   pelage_alpha_layers layers = pelage_alpha_layers_empty();
   for (uint i = 0u; i < FRAGMENTS; ++i) {
     const float relative = f(4u * i);
@@ -35,6 +37,7 @@ void main() {
     } else {
       pelage_power_moments_add(others, relative, pelage_optical_depth(alpha));
     }
+    pelage_trigonometric_moments_add(angles, relative, pelage_optical_depth(alpha));
     pelage_alpha_layers_insert(layers, pelage_fragment(f(4u * i + 2u), u(4u * i + 3u)), alpha, colour * float(i));
   }
   pelage_power_moments_merge(moments, others);
@@ -50,4 +53,12 @@ void main() {
   give(pelage_alpha_layers_transmittance(layers));
   give(pelage_alpha_layers_resolve(layers, colour.zyx));
   give(moments.sum[PELAGE_POWER_MOMENTS_N]);
+  for (uint i = 0u; i < 5u; ++i) give(angles.sum[i]);
+  give(angles.sum[2u * PELAGE_TRIGONOMETRIC_MOMENTS_N]);
+  const pelage_trigonometric_visibility circle = pelage_trigonometric_moments_visibility(angles);
+  const pelage_moment_bounds interval = pelage_trigonometric_visibility_interval_before(circle, at);
+  give(pelage_transmittance_of(interval.least));
+  give(pelage_transmittance_of(interval.most));
+  give(pelage_transmittance_of(pelage_trigonometric_visibility_amount_before(circle, at)));
+  give(pelage_transmittance_of(pelage_trigonometric_visibility_amount_before_fragment(circle, f(0u), own)));
 }
