@@ -6,9 +6,9 @@
 ///
 /// Left out is what has no meaning in a shader: headers that do for a whole span on a CPU, in vectors or blocks, what a
 /// mirrored one does for one pixel or fibre (core/lanes, lane_moves, composite/tail_lanes, order/block_list_storage,
-/// k_select, nearest_keys, lane_network, slice_sort, visibility/occupancy_batch, bsdf/chiang_batch, chiang_quad), and
-/// core/assert, exact_begin and exact_end, which stand for what GLSL lacks or has in another form; and explore/, which
-/// is for tests.
+/// k_select, long_list, nearest_keys, lane_network, slice_sort, visibility/occupancy_batch, bsdf/chiang_batch,
+/// chiang_quad), and core/assert, exact_begin and exact_end, which stand for what GLSL lacks or has in another form;
+/// and explore/, which is for tests.
 #include <pelage/bsdf/azimuthal.hpp>
 #include <pelage/bsdf/bessel.hpp>
 #include <pelage/bsdf/chiang.hpp>

@@ -45,6 +45,7 @@ class watched_cells {
   std::vector<watched_atomic<Word>> cells_;
 };
 
-static_assert(cell_storage<watched_cells<std::uint32_t>> && exchanged_cells<watched_cells<std::uint64_t>, std::uint64_t>);
+static_assert(cell_storage<watched_cells<std::uint32_t>> &&
+              exchanged_cells<watched_cells<std::uint64_t>, std::uint64_t>);
 
 }  // namespace pelage::explore

@@ -210,6 +210,21 @@ TEST_CASE("every K agrees with a sort at every length where the way changes") {
   CHECK(lists > 10000u);
 }
 
+TEST_CASE("the K nearest of long lists are found where whole blocks are passed over, and behind those") {
+  std::mt19937 random(5u);
+  std::string first;
+  for (const selector& s : selectors()) {
+    for (const std::size_t n : {255u, 256u, 320u, 2047u, 2048u, 2113u, 5000u}) {
+      fragments list = random_list(random, n);
+      for (int i = 0; i < 3 && s.k <= 9u && first.empty(); ++i) {
+        first = disagreement(s, list);
+        std::rotate(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(n / 3u), list.end());
+      }
+    }
+  }
+  CHECK(first == "");
+}
+
 TEST_CASE("many lists at once give what each gives alone") {
   pelage::test::holds("lists of mixed lengths", [](std::uint32_t seed) {
     std::mt19937 random(seed);
