@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Pelage authors
+// SPDX-License-Identifier: MIT
+// The program's options for what fibres let pass, and for how they read the lights' maps.
+#include "frame/terminal.hpp"
+
+#include <set>
+#include <string>
+
+namespace pelage::test {
+
+TEST_CASE("constant attenuation and filtered look-ups are what is drawn without a word, others draw another") {
+  const terminal t;
+  REQUIRE(t.run(tiny + "--out a.png") == 0);
+  const std::string first = text_of(t.folder / "a.png");
+  REQUIRE(t.run(tiny + "--out b.png --attenuation constant --lookup filtered") == 0);
+  CHECK(text_of(t.folder / "b.png") == first);
+  std::set<std::string> pictures{first};
+  for (const std::string options :
+       {"--lookup jittered", "--attenuation fresnel", "--attenuation fresnel --eta 2.5",
+        "--attenuation fresnel --bsdf marschner --eta 2.5", "--attenuation fresnel --bsdf chiang"}) {
+    CAPTURE(options);
+    REQUIRE(t.run(tiny + "--out b.png " + options) == 0);
+    CHECK(pictures.insert(text_of(t.folder / "b.png")).second);
+  }
+}
+
+TEST_CASE("words that no option has, and options that have no meaning together, are refused in one line") {
+  const terminal t;
+  t.check_refused(tiny + "--out a.png --attenuation half", "--attenuation");
+  t.check_refused(tiny + "--out a.png --lookup sharp", "--lookup");
+  t.check_refused(tiny + "--out a.png --attenuation fresnel --alpha 0.5", "--alpha needs --attenuation constant");
+  t.check_refused(tiny + "--out a.png --attenuation fresnel --bsdf dual_scattering",
+                  "--bsdf dual_scattering needs --attenuation constant");
+  t.check_refused(tiny + "--out a.png --eta 1.5", "or --attenuation fresnel");
+  t.check_refused(tiny + "--out a.png --attenuation fresnel --tilt 3", "--tilt");
+}
+
+}  // namespace pelage::test
