@@ -105,18 +105,34 @@ TEST_CASE("A fibre a little different differs by more than rounding") {
   }
 }
 
-TEST_CASE("Every model has the processor's shadows, whatever the maps keep and the pixels are made of") {
+/// The processor's picture, whatever else the settings say.
+void check_picture(const frame_settings& settings) {
+  const std::optional<device_frame> got = draw(settings);
+  if (got) CHECK(compare(got->picture, drawn_here(settings)).rms < rounding);
+}
+
+TEST_CASE("Every model has the processor's shadows, whatever the maps keep, in filtered and in jittered look-ups") {
   for (const bsdf_model model : models) {
-    for (const blend_method blend :
-         {blend_method::k_buffer, blend_method::order_weighted, blend_method::depth_peeling}) {
+    for (const char* const shadow : {"k_buffer", "occupancy", "opacity:16", "deep_opacity:16"}) {
+      CAPTURE(static_cast<int>(model));
+      CAPTURE(shadow);
+      frame_settings settings = lit_by(model);
+      settings.shadow = parse_shadow(shadow);
+      check_picture(settings);
+      settings.lookup = map_lookup::jittered;
+      check_picture(settings);
+    }
+  }
+}
+
+TEST_CASE("Every model's fibres blend in any way") {
+  for (const bsdf_model model : models) {
+    for (const blend_method blend : {blend_method::order_weighted, blend_method::depth_peeling}) {
       CAPTURE(static_cast<int>(model));
       CAPTURE(static_cast<int>(blend));
       frame_settings settings = lit_by(model);
-      settings.shadow.method = shadow_method::occupancy;
       settings.blend.method = blend;
-      const std::optional<device_frame> got = draw(settings);
-      if (!got) return;
-      CHECK(compare(got->picture, drawn_here(settings)).rms < rounding);
+      check_picture(settings);
     }
   }
 }
@@ -130,9 +146,7 @@ TEST_CASE("Without shadows, without translucency and by any lights") {
       settings.shown = shown;
       settings.lights = {{light_kind::point, {1.5F, 0.6F, 1.2F}, glm::vec3(0.0F), glm::vec3(0.7F)},
                          {light_kind::directional, glm::vec3(0.0F), {0.3F, -0.2F, 1.0F}, {0.5F, 0.4F, 0.3F}}};
-      const std::optional<device_frame> got = draw(settings);
-      if (!got) return;
-      CHECK(compare(got->picture, drawn_here(settings)).rms < rounding);
+      check_picture(settings);
     }
   }
 }

@@ -26,17 +26,19 @@ vec4 fibres_in(map_square s, vec4 optical, vec4 whole) {
 #endif
 }
 
-/// Behind an opaque object the fibres are all those before it: the map has no others.
+/// Behind an opaque object the fibres are all those before it.
 passage passage_to_point(uint l, uint i, vec3 tangent) {
   const map_square s = square_at_point(l, i, tangent);
   if (!s.is_inside) {
     return passage(1.0, 0.0, 1.0);
   }
   const vec4 hidden_from = vec4(limits[s.first], limits[s.first + 1u], limits[s.below], limits[s.below + 1u]);
+  const bvec4 hidden = greaterThan(s.depths, hidden_from);
+  const float farthest = 3.40282347e38;
   vec4 optical;
   vec4 whole;
-  optical_in(s.first, s.below, s.depths, optical, whole);
-  const vec4 open = mix(vec4(1.0), vec4(0.0), greaterThan(s.depths, hidden_from));
+  optical_in(s.first, s.below, mix(s.depths, vec4(farthest), hidden), optical, whole);
+  const vec4 open = mix(vec4(1.0), vec4(0.0), hidden);
   const vec4 passed = open * vec4(pelage_transmittance_of(optical.x), pelage_transmittance_of(optical.y),
                                   pelage_transmittance_of(optical.z), pelage_transmittance_of(optical.w));
   return passage(mean_in(s, passed), mean_in(s, fibres_in(s, optical, whole)), mean_in(s, open));
