@@ -9,11 +9,19 @@
 namespace pelage::truth {
 namespace {
 
-constexpr std::initializer_list<const char*> shadow_methods{"exact",           "k_buffer",    "occupancy",
-                                                            "opacity:16",      "opacity:128", "deep_opacity:4",
-                                                            "deep_opacity:16", "deep:0.01",   "deep:0.1"};
-constexpr std::initializer_list<const char*> blends{
-    "exact", "k_buffer", "order_weighted", "weighted_average", "weighted_blended", "stochastic:8", "stochastic:32"};
+constexpr std::initializer_list<const char*> shadow_methods{
+    "exact",       "k_buffer",       "occupancy",       "opacity:16",
+    "opacity:128", "deep_opacity:4", "deep_opacity:16", "deep_opacity_growing:8",
+    "deep:0.01",   "deep:0.1"};
+constexpr std::initializer_list<const char*> blends{"exact",
+                                                    "k_buffer",
+                                                    "order_weighted",
+                                                    "weighted_average",
+                                                    "weighted_blended",
+                                                    "deep_opacity:32",
+                                                    "deep_opacity_corrected:32",
+                                                    "stochastic:8",
+                                                    "stochastic:32"};
 
 /// "0.00642 ± 0.00003", or 0 and what the noise could hide.
 std::string rms_text(const squared_error& e) {

@@ -13,9 +13,11 @@ namespace pelage::test {
 
 using namespace frame;
 
-const std::vector<std::string> shadows{"k_buffer", "occupancy", "opacity:16", "deep_opacity:16", "deep:0.05", "exact"};
-const std::vector<std::string> blends{"k_buffer",         "exact",         "order_weighted", "weighted_average",
-                                      "weighted_blended", "depth_peeling", "stochastic:8"};
+const std::vector<std::string> shadows{
+    "k_buffer", "occupancy", "opacity:16", "deep_opacity:16", "deep_opacity_growing:8", "deep:0.05", "exact"};
+const std::vector<std::string> blends{
+    "k_buffer",      "exact",        "order_weighted",  "weighted_average",         "weighted_blended",
+    "depth_peeling", "stochastic:8", "deep_opacity:32", "deep_opacity_corrected:32"};
 
 frame_settings small_frame(const std::string& shadow, const std::string& blend) {
   frame_settings s;
@@ -97,12 +99,14 @@ TEST_CASE("each method is as near to the true picture as its kind can be, and no
     pictures.push_back(draw(settings).picture);
     CHECK(compare(pictures.back(), truth).rms < b.most);
   };
-  for (const bound& b : {bound{"k_buffer", 0.01}, bound{"occupancy", 0.01}, bound{"opacity:16", 0.02},
-                         bound{"deep_opacity:16", 0.01}, bound{"deep:0.05", 0.005}}) {
+  for (const bound& b :
+       {bound{"k_buffer", 0.01}, bound{"occupancy", 0.01}, bound{"opacity:16", 0.02}, bound{"deep_opacity:16", 0.01},
+        bound{"deep_opacity_growing:8", 0.01}, bound{"deep:0.05", 0.005}}) {
     check(small_frame(b.name, "exact"), b);
   }
   for (const bound& b : {bound{"k_buffer", 0.01}, bound{"order_weighted", 0.01}, bound{"weighted_average", 0.06},
-                         bound{"weighted_blended", 0.06}, bound{"stochastic:8", 0.03}}) {
+                         bound{"weighted_blended", 0.06}, bound{"stochastic:8", 0.03}, bound{"deep_opacity:32", 0.02},
+                         bound{"deep_opacity_corrected:32", 0.005}}) {
     check(small_frame("exact", b.name), b);
   }
   for (std::size_t a = 0; a < pictures.size(); ++a) {
