@@ -129,7 +129,7 @@ TEST_CASE("A layer's sum stops at its end: 128 opaque fragments make it 2^32, an
   hair_model model = model_of(bars, 1.5F, 1.0F);
   model.colour.assign(model.points.size(), glm::vec3(0.1F));
   model.colour.back() = glm::vec3(1.0F);
-  const auto check = [&](const char* shadow, const char* blend) {
+  const auto check = [&](const std::string& shadow, const std::string& blend) {
     CAPTURE(shadow);
     CAPTURE(blend);
     frame_settings settings = small_frame(shadow, blend);
