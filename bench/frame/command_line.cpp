@@ -170,6 +170,9 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--from", from, "AZIMUTH,ELEVATION of the camera, degrees; else where the hair is seen best")
       ->delimiter(',')
       ->expected(2);
+  app.add_option("--distance", s.distance, "of the camera, in distances from which it just sees all hair")
+      ->check(CLI::Range(0.5, 1000.0))
+      ->capture_default_str();
   app.add_option("--threads", c.threads, "0: one a core")->check(CLI::Range(0, 1024));
   app.add_option("--device", device, "what draws: cpu or vulkan")
       ->check(CLI::IsMember({"cpu", "vulkan"}))

@@ -8,6 +8,7 @@
 #include <tbb/task_arena.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -113,6 +114,15 @@ std::pair<std::uint64_t, std::uint64_t> count_fragments(const frame_result& fram
   return sum;
 }
 
+/// Linear red, green and blue, as they are before they become 8 bits.
+std::array<double, 3> mean_of(const image& picture) {
+  glm::dvec3 sum(0.0);
+  for (const glm::vec3& p : picture.pixels)
+    sum += glm::dvec3(p);
+  sum /= static_cast<double>(picture.pixels.size());
+  return {sum.x, sum.y, sum.z};
+}
+
 void show_progress(const std::string& what, double done) {
   if (isatty(STDERR_FILENO) == 0) return;
   const int filled = static_cast<int>(done * 30.0);
@@ -177,6 +187,7 @@ void run(const command_line& c) {
     picture = std::move(frame.picture);
   }
   results.write(out, encode_png(picture));
+  report["mean"] = mean_of(picture);
   if (other) {
     const image_difference difference = compare(picture, *other);
     report["rms"] = difference.rms;

@@ -33,6 +33,9 @@ void check(const frame_settings& s) {
   }
   for (const float channel : {s.ambient.r, s.ambient.g, s.ambient.b})
     if (!(channel >= 0.0F && channel <= 1e6F)) throw std::invalid_argument("ambient light must be in [0, 1e6]");
+  if (!(s.distance >= 0.5F && s.distance <= 1000.0F)) {
+    throw std::invalid_argument("the camera's distance must be in [0.5, 1000]");
+  }
   if (!(s.fibre_radius <= largest)) throw std::invalid_argument("the fibre's radius must be at most 1e12");
 }
 
@@ -122,7 +125,7 @@ std::vector<light> studio(float camera_azimuth) {
 }
 
 /// The camera in a direction from the fibres that sees the whole of their box.
-view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& toward, int width, int height,
+view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& toward, float away, int width, int height,
                    pixel_footprint footprint) {
   constexpr float tan_half_fov = 0.268F;  // 30 degrees
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
@@ -137,6 +140,7 @@ view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& towa
     const float aside = std::max(std::abs(seen.x) / aspect, std::abs(seen.y));
     distance = std::max(distance, 1.02F * aside / tan_half_fov + glm::dot(c, toward));
   }
+  distance *= away;
   return perspective_view(round.centre + distance * toward, round.centre, tan_half_fov, width, height,
                           0.01F * round.radius, footprint);
 }
@@ -152,7 +156,7 @@ void place_views(stage& s, const box& bounds, const frame_settings& settings) {
     s.light_views.push_back(light_view(s.lights.back(), s.round, texels));
   }
   const glm::vec3 toward = direction_of(s.from);
-  s.eye = fitted_camera(bounds, s.round, toward, settings.width, settings.height,
+  s.eye = fitted_camera(bounds, s.round, toward, settings.distance, settings.width, settings.height,
                         settings.antialias ? settings.footprint : pixel_footprint::inscribed);
   s.slices.slices = settings.blend.slices;
   s.slices.update(s.fibres, bounds, -toward);

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -184,6 +185,41 @@ TEST_CASE("neither threads nor the order of segments nor the structure changes a
         CHECK(same_bits(draw(hair, settings, threads).picture.pixels, first.picture.pixels));
     }
   }
+}
+
+/// The light that hair takes from the background, in pixels at distance 1.
+double taken(frame_settings settings, primitive drawn, float distance) {
+  settings.drawn = drawn;
+  settings.distance = distance;
+  const hair_model hair = make_built_in(300, 12, 1);
+  const auto sum = [](const image& picture) {
+    double light = 0.0;
+    for (const glm::vec3& p : picture.pixels)
+      light += static_cast<double>(p.x + p.y + p.z);
+    return light;
+  };
+  const double seen = sum(draw(hair, settings).picture);
+  settings.opacity = 0.0F;
+  return (sum(draw(hair, settings).picture) - seen) * static_cast<double>(distance) * static_cast<double>(distance);
+}
+
+TEST_CASE("as the camera moves away hair takes the light of its area, and lines take within a tenth of it") {
+  frame_settings settings;
+  settings.width = settings.height = 128;
+  settings.shown = components::translucency;
+  settings.fibre_radius = 0.005F;
+  settings.on_bust = true;
+  const double near = taken(settings, primitive::segment, 1.0F);
+  CHECK(near > 0.0);
+  for (const float distance : {2.0F, 4.0F}) {
+    CAPTURE(distance);
+    // From afar a little more of it is seen beside the head.
+    const double exact = taken(settings, primitive::segment, distance);
+    CHECK(exact == doctest::Approx(near).epsilon(0.1));
+    CHECK(taken(settings, primitive::line, distance) == doctest::Approx(exact).epsilon(0.1));
+  }
+  settings.distance = 0.4F;
+  CHECK_THROWS_AS((void)draw(make_built_in(2, 2, 1), settings), std::invalid_argument);
 }
 
 }  // namespace pelage::test
