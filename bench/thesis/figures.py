@@ -18,7 +18,7 @@ PRIMITIVES = ["segment", "line"]
 DISTANCES = [1, 2, 4, 8, 16]
 MAPS = [64, 128, 256, 512, 1024, 2048]
 ROUNDS = 3
-THICK = "0.007"  # a pixel and a half at distance 1
+THIN, THICK = "0.0004", "0.007"  # 0.06 and 1.1 pixels wide at distance 1
 
 
 def draw(name, *options):
@@ -89,7 +89,7 @@ def plot_lines():
     figure, axes = matplotlib.pyplot.subplots(2, 3, figsize=(10.5, 7))
     head = " | ".join(f"{d:g}" for d in DISTANCES)
     print(f"\n| fibre, primitive, by distance | {head} |\n| --- |" + " ---: |" * len(DISTANCES))
-    for axis, (radius, name) in zip(axes[1], (("0.0004", "thin"), (THICK, "thick"))):
+    for axis, (radius, name) in zip(axes[1], ((THIN, "thin"), (THICK, "thick"))):
         unit = None
         for primitive in PRIMITIVES:
             seen = [darkness(primitive, radius, d) for d in DISTANCES]
