@@ -19,7 +19,7 @@ def translucency(room):
             name = f"translucency-{width}-{alpha}"
             common = ["--strands", strands, "--size", size, "--components", "translucency", "--fibre-colours",
                       "random", "--aa", antialias, "--alpha", alpha, "--from", "200,8", "--lights",
-                      "directional:-0.3,0.6,-0.9:0.7,0.7,0.7"]
+                      "directional:-0.3,0.6,-0.9:1,1,1", "--specular", "0"]
             truth, _ = room.frame(f"{name}-exact", *common, "--blend", "exact")
             row = [(f"sorted, alpha {alpha}", tile(truth, crop))]
             for i, (title, options) in enumerate(BLENDS):
