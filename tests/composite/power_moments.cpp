@@ -200,9 +200,14 @@ TEST_CASE("nothing, NaN and opaque fragments have a defined place") {
     CHECK(hidden.amount_before(9.0f) == hidden.amount_before(1.0f));
     // Sums that end.
     auto full = power_moments<N>::empty();
-    for (std::uint32_t i = 0u; i < 300u; ++i)
-      full.add(static_cast<float>(i) / 299.0f, opaque);
+    cells_of<atomic_cells<std::uint32_t>> cells(power_moments<N>::cells, 0u);
+    for (std::uint32_t i = 0u; i < 300u; ++i) {
+      const auto one = power_moments<N>::of(static_cast<float>(i) / 299.0f, opaque);
+      full.merge(one);
+      atomic_power_moments::add(cells, 0u, one);
+    }
     CHECK(full.sum[0] == 0xffffffffu);
+    CHECK(atomic_power_moments::load<power_moments<N>>(cells, 0u).sum == full.sum);
     const moment_bounds bounds = full.visibility().bounds_before(0.5f);
     CHECK((bounds.least >= 0.0f && bounds.most <= 4294967296.0f && bounds.least <= bounds.most));
   });

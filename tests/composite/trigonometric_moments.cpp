@@ -134,6 +134,16 @@ TEST_CASE("nothing, NaN and opaque fragments have a defined place") {
     CHECK(transmittance_of(hidden.amount_before_fragment(1.0f, thin)) < 1e-9f);
     CHECK(hidden.amount_before(nan) == 0.0f);
     CHECK(hidden.amount_before(9.0f) == hidden.amount_before(1.0f));
+    // Sums that end.
+    moments full = moments::empty();
+    cells_of<atomic_cells<std::uint32_t>> cells(moments::cells, 0u);
+    for (std::uint32_t i = 0u; i < 300u; ++i) {
+      const moments one = moments::of(static_cast<float>(i) / 299.0f, opaque);
+      full.merge(one);
+      atomic_trigonometric_moments::add(cells, 0u, one);
+    }
+    CHECK(full.sum[0] == 0xffffffffu);
+    CHECK(atomic_trigonometric_moments::load<moments>(cells, 0u).sum == full.sum);
   });
 }
 

@@ -91,6 +91,21 @@ plan plan_by_weight() {
   return p;
 }
 
+/// The same with moments in the place of the map.
+plan plan_by_moments(const frame_settings& s) {
+  const bool powers = s.blend.method == blend_method::moments;
+  const std::string moments = (powers ? "moments_" : "moments_trigonometric_") + std::to_string(s.blend.size);
+  plan p = plan_by_weight();
+  p.finish = {{"occupy_" + moments, over::segments},
+              {"blend_" + moments, over::segments},
+              {"resolve_" + moments, over::pixels}};
+  return p;
+}
+
+bool has_moments(const frame_settings& s) {
+  return s.blend.method == blend_method::moments || s.blend.method == blend_method::trigonometric;
+}
+
 /// A light's map of layers that begin at its texels' nearest fragments, or where the model does.
 plan plan_by_layers(const frame_settings& s) {
   plan p{};
@@ -180,6 +195,7 @@ plan plan_of(const frame_settings& s, bool camera) {
   if (!camera) return plan_of_lights(s);
   if (camera_layers(s) > 0) return plan_by_sums(s);
   if (s.blend.method == blend_method::order_weighted) return plan_by_weight();
+  if (has_moments(s)) return plan_by_moments(s);
   if (s.blend.method == blend_method::depth_peeling) return plan_by_peeling();
   if (s.blend.method == blend_method::sliced) return plan_by_slices();
   return plan_by_order(s, true);
@@ -196,10 +212,11 @@ void check_settings(const frame_settings& s) {
   }
   if (s.blend.method != blend_method::k_buffer && s.blend.method != blend_method::order_weighted &&
       s.blend.method != blend_method::depth_peeling && s.blend.method != blend_method::sliced &&
-      camera_layers(s) == 0) {
+      camera_layers(s) == 0 && !has_moments(s)) {
     throw std::runtime_error(
         "--device vulkan: pixels are made by --blend k_buffer, order_weighted, weighted_average, weighted_blended, "
-        "deep_opacity:N, deep_opacity_corrected:N, depth_peeling or sliced:N");
+        "deep_opacity:N, deep_opacity_corrected:N, depth_peeling, sliced:N, moments:N or "
+        "trigonometric:N");
   }
   if (std::find(std::begin(any_k), std::end(any_k), s.k) == std::end(any_k)) {
     throw std::runtime_error("--device vulkan: --k must be 4, 8, 16, 32 or 64");

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// Each fragment's slice and its optical depth to its pixel's occupancy map, or (LAYERED) to its opacity map. In: points,
-// limits, shaded, the ranges in cells or layers. Out: cells or layers. One invocation a segment; bounded by coverage's
-// arithmetic and an add a fragment.
+// Each fragment's slice and its optical depth to its pixel's occupancy map, or to its opacity map (LAYERED) or its
+// moments (MOMENTS). In: points, limits, shaded, the ranges in cells or layers. Out: cells or layers. One invocation a
+// segment; bounded by coverage's arithmetic and an add a fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define SEEN_BEFORE
