@@ -9,8 +9,10 @@
 #include <pelage/bsdf/marschner.hpp>
 #include <pelage/composite/order_weighted.hpp>
 #include <pelage/composite/over.hpp>
+#include <pelage/composite/power_moments.hpp>
 #include <pelage/composite/radiance.hpp>
 #include <pelage/composite/tail_lanes.hpp>
+#include <pelage/composite/trigonometric_moments.hpp>
 #include <pelage/composite/weighted_blended.hpp>
 #include <pelage/core/exact_begin.hpp>  // for the sums and products below, too
 #include <pelage/coverage/closest_points.hpp>
@@ -119,6 +121,13 @@ bool same_bits(const results& a, const results& b) {
   put(out,
       resolve(add_tail(add_fibre(empty_pixel<float>(), glm::abs(a), glm::vec3(unit), radius), behind), glm::abs(b)));
   put(out, glm::vec3(over(premultiply(a, unit), premultiply(b, radius))));
+  auto powers = power_moments<6>::empty();
+  auto angles = trigonometric_moments<3>::empty();
+  for (const glm::vec3& each : {a, b, c, d}) {
+    powers.add(glm::abs(each.x) / 3.0f, optical_depth(glm::abs(each.y) / 3.0f));
+    angles.add(glm::abs(each.x) / 3.0f, optical_depth(glm::abs(each.y) / 3.0f));
+  }
+  put(out, {powers.visibility().amount_before(unit), angles.visibility().amount_before(unit)});
   depth_range range = depth_range::empty();
   range.extend(-c.z);
   range.extend(-d.z);
