@@ -11,7 +11,7 @@
 namespace pelage::inline PELAGE_ABI {
 
 /// What moments leave open, in units of optical_depth(): each distribution of optical depth that has them holds an
-/// amount in [least, most] before a depth, and each end is some distribution's. [Münstermann et al. 2018, §3.2]
+/// amount in [least, most] before a depth, and each end is some distribution's. [Münstermann et al. 2018]
 struct moment_bounds {
   float least;  ///< before the depth
   float most;   ///< before the depth and at it
@@ -43,7 +43,7 @@ struct moment_bounds {
 }
 
 /// Mean moments are scaled by this, (0, 1), so that rounding leaves them those of some distribution: it mixes 2⁻¹⁹ of
-/// one without gaps, whose moments are 0, into them, and 8 units, for the rounding of the sums. [ibid., §3.3]
+/// one without gaps, whose moments are 0, into them, and 8 units, for the rounding of the sums. [ibid.]
 [[nodiscard]] constexpr float unbiased_share(std::uint32_t amounts) noexcept {
   return 1.0f - (1.9073486e-6f + 8.0f / (8.0f + static_cast<float>(amounts)));
 }

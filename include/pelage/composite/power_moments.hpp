@@ -14,7 +14,7 @@
 namespace pelage::inline PELAGE_ABI {
 
 /// What power moments tell of a pixel: the recurrence of the polynomials that are orthogonal over its optical depth,
-/// and from it what lies before any depth. [Münstermann et al. 2018, §3] 32 bytes.
+/// and from it what lies before any depth. 32 bytes.
 struct power_visibility {
   std::uint32_t amount;         ///< of the whole pixel
   std::uint32_t levels;         ///< coefficients that are told from noise, [0, 3]
@@ -29,8 +29,7 @@ struct power_visibility {
   /// The estimate, [0, amount] in units of optical_depth(), for transmittance_of().
   [[nodiscard]] float amount_before(float relative) const noexcept { return middle_of(bounds_before(relative)); }
 
-  /// The same before a fragment that is in the sums, with `own` amount: exact where N / 2 fragments are in them or
-  /// fewer.
+  /// The same before a fragment that is in the sums, with `own` amount, which is not before itself.
   [[nodiscard]] float amount_before_fragment(float relative, std::uint32_t own) const noexcept {
     return middle_of_others(bounds_before(relative), own);
   }

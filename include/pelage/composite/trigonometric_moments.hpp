@@ -16,7 +16,7 @@
 namespace pelage::inline PELAGE_ABI {
 
 /// What trigonometric moments tell of a pixel: the reflections of Szegő's polynomials, which are orthogonal over its
-/// optical depth on the circle. [Münstermann et al. 2018, §3.4] 32 bytes.
+/// optical depth on the circle. 32 bytes.
 struct trigonometric_visibility {
   std::uint32_t amount;                 ///< of the whole pixel
   std::uint32_t levels;                 ///< reflections that are told from noise, [0, 3]
@@ -38,10 +38,10 @@ struct trigonometric_visibility {
 };
 
 /// As power_moments, with the moments e^(i k φ), k from 1 to N, over depth as an angle φ in 0.9 · [-π, π]: as fine in
-/// the middle of the range as at its ends, where powers are finer. [Münstermann et al. 2018, §3.4, whose tenth of the
-/// circle without fragments this is, too] N is 2 or 3; those beyond 3 are not made use of. As many sums as with 2 N
-/// powers, and as many fragments exact. A node in that tenth counts by where it lies there, so that the estimate is
-/// continuous: the mean over the angles at which the circle can be cut. 8 N + 4 bytes, 8 more with the depth_range.
+/// the middle of the range as at its ends, where powers are finer. [Münstermann et al. 2018] N is 2 or 3; those beyond
+/// 3 are not made use of. As many sums as with 2 N powers, and as many fragments told apart. A node in the tenth of the
+/// circle where no fragment is counts by where it lies there, the mean over the angles at which the circle can be cut,
+/// so that the estimate is continuous. 8 N + 4 bytes, 8 more with the depth_range.
 template <std::uint32_t N = 2u>
 struct trigonometric_moments {
   static_assert(N >= 1u && N <= 15u, "pelage::trigonometric_moments<N>: N must be in [1, 15]");

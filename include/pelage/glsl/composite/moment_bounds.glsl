@@ -8,7 +8,7 @@
 #include "../core/math.glsl"
 
 /// What moments leave open, in units of pelage_optical_depth(): each distribution of optical depth that has them holds
-/// an amount in [least, most] before a depth, and each end is some distribution's. [Münstermann et al. 2018, §3.2]
+/// an amount in [least, most] before a depth, and each end is some distribution's. [Münstermann et al. 2018]
 struct pelage_moment_bounds {
   float least;  ///< before the depth
   float most;   ///< before the depth and at it
@@ -40,7 +40,7 @@ precise float pelage_mean_moment(uint parts, uint amounts) {
 }
 
 /// Mean moments are scaled by this, (0, 1), so that rounding leaves them those of some distribution: it mixes 2⁻¹⁹ of
-/// one without gaps, whose moments are 0, into them, and 8 units, for the rounding of the sums. [ibid., §3.3]
+/// one without gaps, whose moments are 0, into them, and 8 units, for the rounding of the sums. [ibid.]
 precise float pelage_unbiased_share(uint amounts) {
   return 1.0 - (1.9073486e-6 + 8.0 / (8.0 + float(amounts)));
 }

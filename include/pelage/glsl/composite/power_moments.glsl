@@ -38,7 +38,7 @@ uint[PELAGE_POWER_MOMENTS_N] PELAGE_POWER_MOMENTS_N_has_one_value_in_a_shader();
 #ifndef PELAGE_COMPOSITE_POWER_MOMENTS_GLSL_ONCE
 
 /// What power moments tell of a pixel: the recurrence of the polynomials that are orthogonal over its optical depth,
-/// and from it what lies before any depth. [Münstermann et al. 2018, §3] 32 bytes.
+/// and from it what lies before any depth. 32 bytes.
 struct pelage_power_visibility {
   uint amount;      ///< of the whole pixel
   uint levels;      ///< coefficients that are told from noise, [0, 3]
@@ -56,8 +56,7 @@ float pelage_power_visibility_amount_before(pelage_power_visibility self, float 
   return pelage_middle_of(pelage_power_visibility_bounds_before(self, relative));
 }
 
-/// The same before a fragment that is in the sums, with `own` amount: exact where N / 2 fragments are in them or
-/// fewer.
+/// The same before a fragment that is in the sums, with `own` amount, which is not before itself.
 float pelage_power_visibility_amount_before_fragment(pelage_power_visibility self, float relative, uint own) {
   return pelage_middle_of_others(pelage_power_visibility_bounds_before(self, relative), own);
 }

@@ -37,7 +37,7 @@ uint[PELAGE_TRIGONOMETRIC_MOMENTS_N] PELAGE_TRIGONOMETRIC_MOMENTS_N_has_one_valu
 #ifndef PELAGE_COMPOSITE_TRIGONOMETRIC_MOMENTS_GLSL_ONCE
 
 /// What trigonometric moments tell of a pixel: the reflections of Szegő's polynomials, which are orthogonal over its
-/// optical depth on the circle. [Münstermann et al. 2018, §3.4] 32 bytes.
+/// optical depth on the circle. 32 bytes.
 struct pelage_trigonometric_visibility {
   uint amount;         ///< of the whole pixel
   uint levels;         ///< reflections that are told from noise, [0, 3]
@@ -68,11 +68,10 @@ const uint pelage_trigonometric_moments_cells =
     2u * PELAGE_TRIGONOMETRIC_MOMENTS_N + 2u;  ///< a pixel, for a cell_storage
 
 /// As pelage_power_moments, with the moments e^(i k φ), k from 1 to N, over depth as an angle φ in 0.9 · [-π, π]: as
-/// fine in the middle of the range as at its ends, where powers are finer. [Münstermann et al. 2018, §3.4, whose tenth
-/// of the circle without fragments this is, too] N is 2 or 3; those beyond 3 are not made use of. As many sums as with
-/// 2 N powers, and as many fragments exact. A node in that tenth counts by where it lies there, so that the estimate is
-/// continuous: the mean over the angles at which the circle can be cut. 8 N + 4 bytes, 8 more with the
-/// pelage_depth_range.
+/// fine in the middle of the range as at its ends, where powers are finer. [Münstermann et al. 2018] N is 2 or 3; those
+/// beyond 3 are not made use of. As many sums as with 2 N powers, and as many fragments told apart. A node in the tenth
+/// of the circle where no fragment is counts by where it lies there, the mean over the angles at which the circle can
+/// be cut, so that the estimate is continuous. 8 N + 4 bytes, 8 more with the pelage_depth_range.
 struct pelage_trigonometric_moments {
   uint sum[2u * PELAGE_TRIGONOMETRIC_MOMENTS_N + 1u];  ///< the amount, then that of pelage_moment_part() for cos kφ,
                                                        ///< sin kφ
