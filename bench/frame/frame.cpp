@@ -19,14 +19,11 @@ double seconds_since(clock::time_point start) {
   return std::chrono::duration<double>(clock::now() - start).count();
 }
 
-/// In the camera's view lines have their width by depth bin, in a light's at the middle of the fibres [Svoboda §1.2.3].
 raster raster_of(const stage& set, const view& from, bool antialias, const frame_settings& settings) {
-  constexpr std::uint32_t bins = 256;
   const bool is_fresnel = settings.look.passing == attenuation::fresnel;
   const std::optional<float> eta = is_fresnel ? std::optional(settings.look.eta) : std::nullopt;
   if (settings.drawn == primitive::segment) return {set.fibres, from, antialias, eta};
-  const bool is_camera = &from == &set.eye;
-  return {set.fibres, from, antialias, is_camera ? bins : 0, -from.to_view(set.round.centre).z, eta};
+  return {set.fibres, from, antialias, line_depths_of(set, from), eta};
 }
 
 }  // namespace

@@ -185,6 +185,11 @@ stage set_up(const hair_model& model, const frame_settings& settings) {
   return s;
 }
 
+line_depths line_depths_of(const stage& s, const view& from) {
+  constexpr std::uint32_t bins = 256;
+  return line_depths_of(s.fibres, from, &from == &s.eye ? bins : 0, -from.to_view(s.round.centre).z);
+}
+
 void move_camera(stage& s, const hair_model& model, const frame_settings& settings) {
   check(settings);
   place_views(s, model.bounds(), settings);

@@ -31,6 +31,10 @@ struct stage {
 /// Throws std::invalid_argument for a setting out of range and a model that float's range does not hold.
 [[nodiscard]] stage set_up(const hair_model& model, const frame_settings& settings);
 
+/// At which depths one of the stage's views takes the widths of lines: 256 bins for the camera, the middle of the
+/// fibres for a light. [Svoboda §1.2.3]
+[[nodiscard]] line_depths line_depths_of(const stage& s, const view& from);
+
 /// Moves the camera, and lights that go with it, to where the settings say: afterwards a stage is as set_up() makes it,
 /// except that the slices' order stays until it is stale.
 void move_camera(stage& s, const hair_model& model, const frame_settings& settings);

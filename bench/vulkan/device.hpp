@@ -24,6 +24,7 @@ struct device_options {
   std::uint32_t gpu_workgroup;  ///< invocations in a workgroup; on a CPU it is a subgroup
   bool timed;                   ///< run() reads the device's clock
   bool validate;                ///< with the validation layer, if it is installed
+  std::uint32_t variant = 0;    ///< of all kernels: their constant 2
 };
 
 /// Memory of the device, bound to one buffer.
@@ -46,8 +47,8 @@ struct step {
 };
 
 /// A Vulkan device without a screen, and the buffers that all kernels see: buffer i is bound to binding i. In a kernel
-/// constant 0 is the workgroup's size and constant 1 the subgroup's. Every call throws std::runtime_error with one line
-/// that says what failed.
+/// constant 0 is the workgroup's size, constant 1 the subgroup's and constant 2 the variant. Every call throws
+/// std::runtime_error with one line that says what failed.
 class device {
  public:
   /// Opens instance::choose(). Throws no_device.

@@ -51,9 +51,9 @@ VkPipeline device::pipeline(const kernel& program, std::uint32_t workgroup) {
   module.pCode = program.spirv.data();
   VkShaderModule shader = VK_NULL_HANDLE;
   vk_.check(vk_.vkCreateShaderModule(device_, &module, nullptr, &shader), name);
-  const std::array<std::uint32_t, 2> constants{workgroup, subgroup()};
-  const std::array<VkSpecializationMapEntry, 2> entries{{{0, 0, 4}, {1, 4, 4}}};
-  const VkSpecializationInfo special{2, entries.data(), sizeof constants, constants.data()};
+  const std::array<std::uint32_t, 3> constants{workgroup, subgroup(), options_.variant};
+  const std::array<VkSpecializationMapEntry, 3> entries{{{0, 0, 4}, {1, 4, 4}, {2, 8, 4}}};
+  const VkSpecializationInfo special{3, entries.data(), sizeof constants, constants.data()};
   VkComputePipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
   info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;

@@ -86,4 +86,20 @@ TEST_CASE("a camera that turns on a device sees what it sees on the processor, a
   CHECK(compare(got->picture, on_processor(settings).picture).rms > 0.01);
 }
 
+TEST_CASE("lines on a device are the processor's except for rounding, which may move one by a pixel") {
+  for (const bool antialias : {true, false}) {
+    frame_settings settings = small_frame();
+    settings.blend = {};
+    settings.drawn = primitive::line;
+    settings.antialias = antialias;
+    const std::optional<device_frame> got = draw(settings, 2);
+    if (!got) return;
+    CHECK(got->same == 2);
+    const image lines = on_processor(settings).picture;
+    CHECK(compare(got->picture, lines).rms < 0.002);
+    settings.drawn = primitive::segment;
+    CHECK(compare(on_processor(settings).picture, lines).rms > 0.005);
+  }
+}
+
 }  // namespace pelage::test

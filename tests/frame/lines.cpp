@@ -45,7 +45,8 @@ TEST_CASE("a sweep finds exactly the pixels of each line, with the bits of a loo
     const strands fibres =
         fibres_of(any_lines(3, glm::vec3(0.0F), 1.5F), std::pow(10.0F, any_float(-4.0F, 0.3F)), 1.0F);
     const view v = any_view();
-    const raster from(fibres, v, *rc::gen::arbitrary<bool>(), *rc::gen::element(0U, 1U, 256U), any_float(0.1F, 4.0F));
+    const raster from(fibres, v, *rc::gen::arbitrary<bool>(),
+                      line_depths_of(fibres, v, *rc::gen::element(0U, 1U, 256U), any_float(0.1F, 4.0F)));
     for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
       const std::map<pixel, pixel_fragment> found = drawn_by(from, s);
       const pixel_rect b = from.bounds(s);
@@ -81,7 +82,7 @@ TEST_CASE("a thin line draws the pixel of each column or row that it runs throug
       beside += any_float(-0.9F, 0.9F) * step;
     }
     const strands fibres = fibres_of({line}, 0.1F, 1.0F);
-    const raster from(fibres, flat_view(32), true, 0, 1.0F);
+    const raster from(fibres, flat_view(32), true, line_depths_of(fibres, flat_view(32), 0, 1.0F));
     std::set<int> columns;
     for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
       const glm::dvec3 a(fibres.point[s]);
@@ -111,7 +112,8 @@ TEST_CASE("a line wider than a pixel has its fibre's width in pixels down each c
     const glm::vec3 end(14.0F, any_float(-5.0F, 5.0F), 0.0F);
     const strands fibres = fibres_of({{{-14.0F, any_float(-5.0F, 5.0F), 0.0F}, end}}, 0.5F * width, 1.0F);
     std::map<int, int> rows;
-    for (const auto& [at, f] : drawn_by(raster(fibres, flat_view(32), true, 0, 1.0F), 0)) {
+    for (const auto& [at, f] :
+         drawn_by(raster(fibres, flat_view(32), true, line_depths_of(fibres, flat_view(32), 0, 1.0F)), 0)) {
       RC_ASSERT(f.coverage == 1.0F);
       ++rows[at.first];
     }
@@ -133,7 +135,7 @@ TEST_CASE("widths are those of each end's depth before a camera, and of one dept
   // 64 pixels from bottom to top, whose half has the tangent 1/2: 64 pixels are as long as the view is deep.
   const view v = perspective_view(glm::vec3(0.0F), {0.0F, 0.0F, -1.0F}, 0.5F, 64, 64, 0.1F);
   const strands fibres = fibres_of({{{-0.9F, 0.01F, -2.0F}, {1.8F, 0.02F, -4.0F}}}, 0.0125F, 1.0F);
-  const raster camera(fibres, v, true, 256, 0.0F);
+  const raster camera(fibres, v, true, line_depths_of(fibres, v, 256, 0.0F));
   // Widths of 0.8 and 0.4 pixels: w Rat is 0.80568542494924 and 0.442842712474619.
   for (const auto& [at, f] : drawn_by(camera, 0)) {
     const double expected = 0.80568542494924 + static_cast<double>(f.along) * (0.442842712474619 - 0.80568542494924);
@@ -141,9 +143,9 @@ TEST_CASE("widths are those of each end's depth before a camera, and of one dept
     const double x = (at.first + 0.5 - 32.0) / 64.0;  // over the depth, which is 2 + 2 t where x = -0.9 + 2.7 t
     CHECK(static_cast<double>(f.along) == doctest::Approx((2.0 * x + 0.9) / (2.7 - 2.0 * x)).epsilon(1e-4));
   }
-  for (const auto& [at, f] : drawn_by(raster(fibres, v, true, 0, 4.0F), 0))
+  for (const auto& [at, f] : drawn_by(raster(fibres, v, true, line_depths_of(fibres, v, 0, 4.0F)), 0))
     CHECK(f.coverage == doctest::Approx(0.4428427F));
-  for (const auto& [at, f] : drawn_by(raster(fibres, v, false, 256, 0.0F), 0))
+  for (const auto& [at, f] : drawn_by(raster(fibres, v, false, line_depths_of(fibres, v, 256, 0.0F)), 0))
     CHECK(f.coverage == 1.0F);
 
   // Wide lines by bins: as wide as the fibre is where the bin of its farther end begins.
@@ -151,7 +153,7 @@ TEST_CASE("widths are those of each end's depth before a camera, and of one dept
       {{{-0.5F, -0.4F, -2.0F}, {0.9F, 0.6F, -3.0F}}, {{0.0F, 5.0F, -6.0F}, {1.0F, 5.0F, -6.0F}}}, 0.25F, 1.0F);
   for (const auto& [bins, depth] : {std::pair{4U, 3.0}, {5U, 2.8}, {3U, 2.0}, {1U, 2.0}}) {
     double sum = 0.0;
-    const std::map<int, double> columns = sums(raster(wide, v, true, bins, 0.0F));
+    const std::map<int, double> columns = sums(raster(wide, v, true, line_depths_of(wide, v, bins, 0.0F)));
     for (const auto& [column, count] : columns)
       sum += count / static_cast<double>(columns.size());
     CHECK(sum == doctest::Approx(64.0 * 0.5 / depth).epsilon(0.01));

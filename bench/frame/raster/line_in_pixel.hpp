@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "frame/model/strands.hpp"
 #include "frame/raster/outline.hpp"
 #include "frame/raster/segment_in_pixel.hpp"
 #include "frame/scene/view.hpp"
@@ -19,14 +20,19 @@ enum class primitive {
 
 /// At which depths a view takes the widths of lines. [Svoboda §1.2.3]
 struct line_depths {
-  float nearest = 0.0F;  ///< view depth of the first bin, or of all
-  float bin = 0.0F;      ///< depth of a bin; 0: all lines have their width at `nearest`
-  float last = 0.0F;     ///< number of the last bin
+  float nearest = 0.0F;   ///< view depth of the first bin, or of all
+  float bin = 0.0F;       ///< depth of a bin; 0: all lines have their width at `nearest`
+  float last = 0.0F;      ///< number of the last bin
+  float widening = 1.0F;  ///< how much wider than its fibre where it lies a line may be, [1, inf]
 
   /// The depth at which a line is as wide as its fibre: where the bin of its farther end begins.
   template <class Real>
   [[nodiscard]] Real depth_of_bin(Real farther) const;
 };
+
+/// Those of a view. `bins`: into which the depths of all points are divided; 0: all lines have their width at the depth
+/// `at`, as in a light's map. O(points).
+[[nodiscard]] line_depths line_depths_of(const strands& fibres, const view& from, std::uint32_t bins, float at);
 
 /// What a segment leaves as a line where the pixel's centre is (x, y): along its longer side on the screen it draws the
 /// pixels of each column (or row) whose centres lie within half its width of it, one where the fibre is thinner than a

@@ -40,26 +40,33 @@ raster::raster(const strands& fibres, const view& from, bool antialias, std::opt
   });
 }
 
-raster::raster(const strands& fibres, const view& from, bool antialias, std::uint32_t bins, float at,
+raster::raster(const strands& fibres, const view& from, bool antialias, const line_depths& lines,
                std::optional<float> eta)
     : raster(fibres, from, antialias, eta) {
   drawn_ = primitive::line;
+  line_depths_ = lines;
+  stretch_ *= lines.widening;
+}
+
+line_depths line_depths_of(const strands& fibres, const view& from, std::uint32_t bins, float at) {
   float nearest = std::numeric_limits<float>::infinity();
   float farthest = from.near_plane;
-  for (const projected& p : point_) {
-    const float depth = std::max(-p.z, from.near_plane);
+  for (const glm::vec3& point : fibres.point) {
+    const float depth = std::max(-from.to_view(point).z, from.near_plane);
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }
+  line_depths found{at};
+  if (bins > 0) found.nearest = farthest;
   if (bins > 0 && farthest > nearest) {
     const auto count = static_cast<float>(bins);
-    line_depths_ = {nearest, (farthest - nearest) / count, count - 1.0F};
-  } else {
-    line_depths_ = {bins > 0 ? farthest : at, 0.0F, 0.0F};
+    found = {nearest, (farthest - nearest) / count, count - 1.0F};
   }
-  // A line may be wider than its fibre is where it lies.
-  if (from.perspective)
-    stretch_ *= std::max(1.0F, 1.01F * (bins > 0 ? 1.0F + line_depths_.bin / nearest : farthest / at));
+  if (from.perspective) {
+    const float ratio = found.bin > 0.0F ? 1.0F + found.bin / nearest : farthest / found.nearest;
+    found.widening = std::max(1.0F, 1.01F * ratio);
+  }
+  return found;
 }
 
 pixel_rect raster::bounds(std::uint32_t segment) const {

@@ -35,9 +35,8 @@ class raster {
   /// says. Both references must outlive the raster. O(points), parallel.
   raster(const strands& fibres, const view& from, bool antialias, std::optional<float> eta = {});
 
-  /// The same of lines. `bins`: that the view's depths are divided into for their widths; 0: all lines have their width
-  /// at the depth `at`, as in a light's map.
-  raster(const strands& fibres, const view& from, bool antialias, std::uint32_t bins, float at,
+  /// The same of lines.
+  raster(const strands& fibres, const view& from, bool antialias, const line_depths& lines,
          std::optional<float> eta = {});
 
   /// The fragment of a segment in a pixel of the view.

@@ -202,8 +202,6 @@ plan plan_of(const frame_settings& s, bool camera) {
 }
 
 void check_settings(const frame_settings& s) {
-  if (s.drawn != primitive::segment)
-    throw std::runtime_error("--device vulkan: fibres are drawn by --primitive segment");
   if (s.shadow.method != shadow_method::k_buffer && s.shadow.method != shadow_method::occupancy &&
       light_layers(s) == 0) {
     throw std::runtime_error(

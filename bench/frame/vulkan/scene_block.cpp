@@ -72,6 +72,16 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
     blocks += blocks_of(set.light_views[i]);
   }
   b.views[set.lights.size()] = block_of(set.eye, pixels, blocks);
+  if (settings.drawn == primitive::line) {
+    for (std::size_t i = 0; i <= set.lights.size(); ++i) {
+      const line_depths lines = line_depths_of(set, i < set.lights.size() ? set.light_views[i] : set.eye);
+      scene_block::view_block& v = b.views[i];
+      v.line_nearest = lines.nearest;
+      v.line_bin = lines.bin;
+      v.line_last = lines.last;
+      v.reach *= lines.widening;
+    }
+  }
   for (std::size_t i = 0; i < set.opaque.parts.size(); ++i)
     b.parts[i] = {set.opaque.parts[i].centre, 0.0F, set.opaque.parts[i].radii, 0.0F};
   b.sky = set.sky;

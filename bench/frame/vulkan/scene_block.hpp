@@ -36,7 +36,9 @@ struct scene_block {
     std::uint32_t layers;
     float layer_first;
     float layer_width;
-    std::array<std::uint32_t, 3> unused;
+    float line_nearest;
+    float line_bin;
+    float line_last;
   };
   struct light_block {
     glm::vec3 position;

@@ -32,6 +32,12 @@ const device_options wanted{
     .validate = false,
 };
 
+device_options options_for(const frame_settings& settings) {
+  device_options options = wanted;
+  options.variant = settings.drawn == primitive::line ? 1 : 0;
+  return options;
+}
+
 const kernel& kernel_called(const std::string& name) {
   const auto found =
       std::find_if(kernels::all.begin(), kernels::all.end(), [&](const kernel& one) { return one.name == name; });
@@ -42,7 +48,7 @@ const kernel& kernel_called(const std::string& name) {
 }  // namespace
 
 session::session(const stage& set, const frame_settings& settings)
-    : device_(wanted),
+    : device_(options_for(settings)),
       set_(set),
       k_(settings.k),
       sorts_(set.slices.sorts),

@@ -6,6 +6,7 @@
 #include "pelage/glsl/composite/optical_depth.glsl"
 #include "pelage/glsl/coverage/closest_points.glsl"
 #include "pelage/glsl/coverage/disc_strip.glsl"
+#include "line.glsl"
 #include "projection.glsl"
 
 /// What a segment leaves in a pixel.
@@ -31,11 +32,15 @@ precise placed_segment place(uint i) {
 
 /// Where a pixel's ray passes a segment that touches the pixel.
 precise segment_in_pixel look_at(placed_segment s, ivec2 at) {
+  const bool smooth_edges = scene.antialias || !is_camera();
+  if (draws_lines) {
+    const vec3 found = line_in_pixel(s.start, s.end, s.start_radius, s.end_radius, at, smooth_edges);
+    return segment_in_pixel(found.x, found.y, found.z);
+  }
   const view_ray ray = ray_through(this_view(), vec2(at) + 0.5);
   const pelage_closest_pair pair = pelage_closest_points(ray.origin, ray.direction, s.start, s.end);
   const float disc = pelage_radius_at(cone_of(this_view()), pair.along_ray);
   const float fibre = s.start_radius + pair.along_segment * (s.end_radius - s.start_radius);
-  const bool smooth_edges = scene.antialias || !is_camera();
   const float hit = pair.distance <= max(fibre, disc) ? 1.0 : 0.0;
   const float share = smooth_edges ? pelage_disc_strip_share(pair.distance, fibre, disc) : hit;
   const float axis_depth = -(s.start.z + pair.along_segment * (s.end.z - s.start.z));

@@ -38,6 +38,9 @@ struct view_block {
   uint layers;        ///< of the view's opacity maps, 0 without, and how they lie (layer_map.glsl)
   float layer_first;  ///< view depth where they begin, and the first one's width, where texels don't say
   float layer_width;
+  float line_nearest;  ///< of lines' depth bins; with line_bin 0 all lines have their width at this depth
+  float line_bin;
+  float line_last;
 };
 
 struct light_block {

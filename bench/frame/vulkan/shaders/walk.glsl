@@ -127,7 +127,7 @@ pixel_walk walk_of(uint word, placed_segment s) {
   const vec2 axis = end - start;
   w.start = line_at(start, start_strand);
   w.end = line_at(end, end_strand);
-  w.end_on = start_strand == vec2(0.0) && end_strand == vec2(0.0);
+  w.end_on = draws_lines || (start_strand == vec2(0.0) && end_strand == vec2(0.0));
   w.upright = abs(axis.y) > abs(axis.x);
   w.origin = w.upright ? start.yx : start;
   const vec2 way = w.upright ? axis.yx : axis;
