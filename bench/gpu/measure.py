@@ -32,7 +32,8 @@ BASELINE_SHADOWS = ["occupancy", "opacity:16", "opacity:128", "opacity:256", "de
                     "deep_opacity:16", "deep_opacity:32", "deep_opacity_growing:4", "deep_opacity_growing:8",
                     "deep_opacity_growing:16"]
 BASELINE_BLENDS = ["order_weighted", "weighted_average", "weighted_blended", "deep_opacity:32",
-                   "deep_opacity_corrected:32", "sliced:256"]
+                   "deep_opacity_corrected:32", "sliced:256", "moments:4", "moments:6", "trigonometric:2",
+                   "trigonometric:3"]
 
 
 def draw(program, options, frames, picture=None):
