@@ -158,7 +158,9 @@ void place_views(stage& s, const box& bounds, const frame_settings& settings) {
   const glm::vec3 toward = direction_of(s.from);
   s.eye = fitted_camera(bounds, s.round, toward, settings.distance, settings.width, settings.height,
                         settings.antialias ? settings.footprint : pixel_footprint::inscribed);
-  s.slices.slices = settings.blend.slices;
+  const blend_method method = settings.blend.method;
+  const bool is_sliced = method == blend_method::sliced || method == blend_method::sliced_clipped;
+  s.slices.slices = is_sliced ? settings.blend.size : 0;
   s.slices.update(s.fibres, bounds, -toward);
 }
 

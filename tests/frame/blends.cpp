@@ -149,7 +149,7 @@ TEST_CASE("what is no blend is refused") {
     refused(text, "nothing follows");
   for (const char* text : {"", "over", "Exact"})
     refused(text, "not exact, k_buffer");
-  CHECK(parse_blend("stochastic:32").samples == 32);
+  CHECK(parse_blend("stochastic:32").size == 32);
   CHECK(parse_blend("order_weighted").method == blend_method::order_weighted);
 }
 

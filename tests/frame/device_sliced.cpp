@@ -31,7 +31,7 @@ frame_settings small_frame() {
   s.from = glm::vec2(20.0F, 5.0F);
   s.shading_spacing = std::numeric_limits<float>::infinity();  // as shaders light segments
   s.blend.method = blend_method::sliced;
-  s.blend.slices = 32;
+  s.blend.size = 32;
   return s;
 }
 

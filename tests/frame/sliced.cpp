@@ -41,7 +41,7 @@ frame_settings small_frame(blend_method method, std::uint32_t slices) {
   s.opacity = 0.4F;
   s.from = glm::vec2(0.0F);
   s.blend.method = method;
-  s.blend.slices = slices;
+  s.blend.size = slices;
   return s;
 }
 
@@ -174,7 +174,7 @@ TEST_CASE("more slices come nearer to sorting, and clipped ones nearer than whol
   double whole_error[2];
   double clipped_error[2];
   for (const int i : {0, 1}) {
-    settings.blend = {blend_method::sliced, 0, 1, i == 0 ? 8U : 256U};
+    settings.blend = {blend_method::sliced, i == 0 ? 8U : 256U};
     whole_error[i] = compare(draw(hair, settings).picture, exact).rms;
     settings.blend.method = blend_method::sliced_clipped;
     clipped_error[i] = compare(draw(hair, settings).picture, exact).rms;

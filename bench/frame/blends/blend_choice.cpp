@@ -45,7 +45,7 @@ order_report draw_unordered(camera_film& film, const raster& from, const order_o
 order_report draw_stochastic(camera_film& film, const raster& from, const order_options& order,
                              const blend_choice& choice) {
   order_report report;
-  const bool compiled = with_compiled_size<compiled_samples>(choice.samples, [&]<std::uint32_t Samples>() {
+  const bool compiled = with_compiled_size<compiled_samples>(choice.size, [&]<std::uint32_t Samples>() {
     const auto blend = [&](std::span<const layer> layers, const glm::vec3& background, int x, int y) {
       const auto pixel = static_cast<std::uint32_t>(y * from.from().width + x);
       return blend_stochastic<Samples>(layers, background, stochastic_stream(choice.seed, pixel));
@@ -60,7 +60,7 @@ order_report draw_by_deep_opacity(camera_film& film, const raster& from, const o
                                   const blend_choice& choice) {
   order_report report;
   const bool is_corrected = choice.method == blend_method::deep_opacity_corrected;
-  const bool compiled = with_compiled_size<blended_layers>(choice.layers, [&]<std::uint32_t Layers>() {
+  const bool compiled = with_compiled_size<blended_layers>(choice.size, [&]<std::uint32_t Layers>() {
     report = draw_unordered(film, from, order, [&](std::span<const layer> all, const glm::vec3& behind, int, int) {
       return blend_deep_opacity<Layers>(all, behind, is_corrected);
     });
@@ -118,24 +118,18 @@ blend_choice parse_blend(const std::string& text) {
   const method_text given("--blend", text);
   if (given.word() == "stochastic") return {blend_method::stochastic, given.one_of(compiled_samples, "samples")};
   if (given.word() == "sliced" || given.word() == "sliced_clipped") {
-    blend_choice choice{given.word() == "sliced" ? blend_method::sliced : blend_method::sliced_clipped};
-    choice.slices = text == given.word() ? 256 : given.one_of(slice_counts, "slices");
-    return choice;
+    return {given.word() == "sliced" ? blend_method::sliced : blend_method::sliced_clipped,
+            text == given.word() ? 256 : given.one_of(slice_counts, "slices")};
   }
-  if (given.word() == "deep_opacity" || given.word() == "deep_opacity_corrected") {
-    const bool is_corrected = given.word() == "deep_opacity_corrected";
-    return {.method = is_corrected ? blend_method::deep_opacity_corrected : blend_method::deep_opacity,
-            .layers = given.one_of(blended_layers, "layers")};
+  if (given.word() == "deep_opacity") return {blend_method::deep_opacity, given.one_of(blended_layers, "layers")};
+  if (given.word() == "deep_opacity_corrected") {
+    return {blend_method::deep_opacity_corrected, given.one_of(blended_layers, "layers")};
   }
-  if (given.word() == "moments") {
-    return {.method = blend_method::moments, .size = given.one_of(compiled_moments, "moments")};
-  }
+  if (given.word() == "moments") return {blend_method::moments, given.one_of(compiled_moments, "moments")};
   if (given.word() == "trigonometric") {
-    return {.method = blend_method::trigonometric, .size = given.one_of(compiled_trigonometric, "moments")};
+    return {blend_method::trigonometric, given.one_of(compiled_trigonometric, "moments")};
   }
-  if (given.word() == "layers") {
-    return {.method = blend_method::layers, .size = given.one_of(compiled_alpha_layers, "layers")};
-  }
+  if (given.word() == "layers") return {blend_method::layers, given.one_of(compiled_alpha_layers, "layers")};
   const auto found = plain.find(given.word());
   if (found == plain.end()) {
     given.fail(

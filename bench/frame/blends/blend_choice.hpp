@@ -46,11 +46,8 @@ inline constexpr std::array<std::uint32_t, 6> compiled_alpha_layers{1, 2, 4, 8, 
 /// A method and its parameters.
 struct blend_choice {
   blend_method method = blend_method::k_buffer;
-  std::uint32_t samples = 0;  ///< of stochastic, one of compiled_samples
-  std::uint32_t seed = 1;     ///< of stochastic
-  std::uint32_t slices = 0;   ///< of sliced and sliced_clipped, one of slice_counts; else 0
-  std::uint32_t layers = 0;   ///< of both deep_opacity, one of blended_layers
-  std::uint32_t size = 0;     ///< moments or layers
+  std::uint32_t size = 0;  ///< samples of stochastic, slices, layers or moments, of those that the renderer has
+  std::uint32_t seed = 1;  ///< of stochastic
 };
 
 /// Reads "exact", "k_buffer", "order_weighted", "weighted_average", "weighted_blended", "deep_opacity:N",

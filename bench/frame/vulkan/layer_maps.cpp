@@ -44,7 +44,7 @@ std::uint32_t camera_layers(const frame_settings& settings) {
   switch (settings.blend.method) {
     case blend_method::deep_opacity:
     case blend_method::deep_opacity_corrected:
-      return settings.blend.layers;
+      return settings.blend.size;
     case blend_method::weighted_average:
     case blend_method::weighted_blended:
       return 1;
