@@ -152,7 +152,7 @@ TEST_CASE("as the papers have it the farthest fragment lies before itself") {
 TEST_CASE("layers are one of the compiled numbers") {
   for (const std::string method : {"deep_opacity", "deep_opacity_corrected"}) {
     for (const std::uint32_t layers : blended_layers)
-      CHECK(parse_blend(method + ":" + std::to_string(layers)).layers == layers);
+      CHECK(parse_blend(method + ":" + std::to_string(layers)).size == layers);
     for (const char* argument : {"", ":", ":0", ":5", ":-4", ":32.0"})
       CHECK_THROWS_AS((void)parse_blend(method + argument), std::invalid_argument);
   }

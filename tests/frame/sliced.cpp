@@ -108,9 +108,9 @@ TEST_CASE("there are 256 slices where none are asked for, else one of a few numb
        {std::pair{"sliced", blend_method::sliced}, {"sliced_clipped", blend_method::sliced_clipped}}) {
     const std::string name = word;
     CHECK(parse_blend(name).method == method);
-    CHECK(parse_blend(name).slices == 256);
+    CHECK(parse_blend(name).size == 256);
     CHECK(parse_blend(name + ":64").method == method);
-    CHECK(parse_blend(name + ":64").slices == 64);
+    CHECK(parse_blend(name + ":64").size == 64);
     for (const char* wrong : {":", ":0", ":7", ":-8", ":64x", ":2048"})
       CHECK_THROWS_AS((void)parse_blend(name + wrong), std::invalid_argument);
   }
