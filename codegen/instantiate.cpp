@@ -63,6 +63,7 @@
 #include <pelage/coverage/segment_quad.hpp>
 #include <pelage/order/a_buffer.hpp>
 #include <pelage/order/atomic_k_buffer.hpp>
+#include <pelage/order/cascade_k_buffer.hpp>
 #include <pelage/order/group_select.hpp>
 #include <pelage/order/k_buffer.hpp>
 #include <pelage/order/lane_sort.hpp>
@@ -179,6 +180,10 @@ template fragment atomic_k_buffer::insert<16u>(wide_cells&, std::uint32_t, fragm
 template fragment atomic_k_buffer::insert<13u>(wide_cells&, std::uint32_t, fragment) noexcept;
 template std::array<fragment, 16u> atomic_k_buffer::load<16u>(const wide_cells&, std::uint32_t) noexcept;
 template std::array<fragment, 13u> atomic_k_buffer::load<13u>(const wide_cells&, std::uint32_t) noexcept;
+template fragment cascade_k_buffer::insert<16u>(wide_cells&, std::uint32_t, fragment) noexcept;
+template fragment cascade_k_buffer::insert<13u>(wide_cells&, std::uint32_t, fragment) noexcept;
+template fragment cascade_k_buffer::at<16u>(const wide_cells&, std::uint32_t, std::uint32_t) noexcept;
+template fragment cascade_k_buffer::at<13u>(const wide_cells&, std::uint32_t, std::uint32_t) noexcept;
 template void split_k_buffer::offer_depth<16u>(cells&, std::uint32_t, fragment) noexcept;
 template void split_k_buffer::offer_depth<13u>(cells&, std::uint32_t, fragment) noexcept;
 template fragment split_k_buffer::insert<16u>(cells&, std::uint32_t, fragment) noexcept;

@@ -19,7 +19,7 @@ METHODS = {
     ("a_buffer", "mean"): "two-pass [Yu12]: lists; an invocation a pixel replaces in registers",
     ("a_buffer", "none"): "the same, truncated: as Yu has it",
     ("ordered_list", "mean"): "single-pass [Yu12]: lists sorted while they are built",
-    ("atomic_k_buffer", "mean"): "one pass of 64-bit exchanges and minima",
+    ("atomic_k_buffer", "mean"): "one pass of 64-bit minima: cascade_k_buffer",
     ("split_k_buffer", "mean"): "two passes of 32-bit minima: depths, ids",
     ("partial_selection_sort", "mean"): "runs; selection stopped after K rounds",
     ("selection_sort", "mean"): "runs; selection of whole lists [Yang10], no K",

@@ -1,8 +1,10 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 //
-// k_buffer, atomic_k_buffer and split_k_buffer against sorting, and so against each other: any depths, any order.
+// k_buffer, atomic_k_buffer, cascade_k_buffer and split_k_buffer against sorting, and so against each other: any
+// depths, any order.
 #include <pelage/order/atomic_k_buffer.hpp>
+#include <pelage/order/cascade_k_buffer.hpp>
 #include <pelage/order/k_buffer.hpp>
 #include <pelage/order/split_k_buffer.hpp>
 
@@ -61,6 +63,20 @@ held by_exchange(const std::vector<fragment>& all) {
 }
 
 template <std::uint32_t K>
+held by_cascade(const std::vector<fragment>& all) {
+  held h;
+  std::vector<std::uint64_t> slots(K, pack(no_fragment()));
+  atomic_cells<std::uint64_t> storage{slots};
+  for (const fragment f : all) {
+    h.lost(cascade_k_buffer::insert<K>(storage, 0u, f));
+  }
+  for (std::uint32_t i = 0; i < K; ++i) {
+    h.slot(cascade_k_buffer::at<K>(storage, 0u, i));
+  }
+  return h;
+}
+
+template <std::uint32_t K>
 held by_split_slots(const std::vector<fragment>& all) {
   held h;
   std::vector<std::uint32_t> cells(2U * K, 0xffffffffU);
@@ -89,6 +105,7 @@ template <std::uint32_t K>
 void check_all(const std::vector<fragment>& all) {
   check(by_selection<K>(all), K, all);
   check(by_exchange<K>(all), K, all);
+  check(by_cascade<K>(all), K, all);
   check(by_split_slots<K>(all), K, all);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <pelage/order/atomic_k_buffer.hpp>
+#include <pelage/order/cascade_k_buffer.hpp>
 #include <pelage/order/split_k_buffer.hpp>
 
 #include "concurrency/inserts.hpp"
@@ -26,6 +27,23 @@ struct one_pass {
   static void first_pass(Storage&, fragment) {}
   static fragment insert(Storage& s, fragment f) { return atomic_k_buffer::insert<K>(s, 0u, f); }
   static std::array<fragment, K> load(const Storage& s) { return atomic_k_buffer::load<K>(s, 0u); }
+};
+
+/// The same of a cascade_k_buffer.
+template <std::uint32_t K, class Storage = watched_slots>
+struct cascade {
+  using storage = Storage;
+  static constexpr std::uint32_t slots = K;
+  static constexpr int passes = 1;
+  static void first_pass(Storage&, fragment) {}
+  static fragment insert(Storage& s, fragment f) { return cascade_k_buffer::insert<K>(s, 0u, f); }
+  static std::array<fragment, K> load(const Storage& s) {
+    std::array<fragment, K> slots;
+    for (std::uint32_t i = 0; i < K; ++i) {
+      slots[i] = cascade_k_buffer::at<K>(s, 0u, i);
+    }
+    return slots;
+  }
 };
 
 /// The same of a split_k_buffer.

@@ -37,6 +37,7 @@ inline constexpr std::array structures = {
     structure{"a_buffer", &list_and_reader<unordered_inserts>},
     structure{"ordered_list", &list_and_reader<ordered_inserts>},
     structure{"atomic_k_buffer", &slots_of<one_pass<2>>},
+    structure{"cascade_k_buffer", &slots_of<cascade<2>>},
     structure{"split_k_buffer", &slots_of<split_slots<2>>},
     structure{"ordered_list-no_retry", &list_and_reader<ordered_inserts, list_variants::no_retry>},
     structure{"ordered_list-keeps_old_successor",

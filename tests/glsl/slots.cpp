@@ -49,12 +49,13 @@ void for_all_frames(Check check) {
 
 }  // namespace
 
-TEST_CASE("K-buffers of 64-bit slots that 65536 invocations build at once equal those built one by one") {
+/// What a device holds and hands back equals what atomic_k_buffer does here, one fragment after another.
+void check_wide_slots(const kernel& insert, const kernel& read) {
   if (!the_device()->has_atomic_int64()) {
     MESSAGE("not run: " << the_device()->name() << " has no 64-bit atomics");
     return;
   }
-  for_all_frames([](std::uint32_t pixels, const std::vector<fragment>& fragments) {
+  for_all_frames([&](std::uint32_t pixels, const std::vector<fragment>& fragments) {
     std::vector<std::uint64_t> slots(pixels * k, pack(no_fragment()));
     atomic_cells<std::uint64_t> storage{slots};
     std::vector<fragment> expected_lost;
@@ -78,11 +79,16 @@ TEST_CASE("K-buffers of 64-bit slots that 65536 invocations build at once equal 
       std::vector<std::uint32_t>* const buffers[] = {&offers, &built, &result};
       the_device()->run(program, invocations, buffers);
     };
-    pass(kernels::atomic_k_buffer, static_cast<std::uint32_t>(fragments.size()), lost);
-    pass(kernels::atomic_k_buffer_read, pixels, nearest);
+    pass(insert, static_cast<std::uint32_t>(fragments.size()), lost);
+    pass(read, pixels, nearest);
     CHECK(nearest == expected);
     CHECK(packed(lost) == packed(expected_lost));
   });
+}
+
+TEST_CASE("K-buffers of 64-bit slots that 65536 invocations build at once equal those built one by one") {
+  check_wide_slots(kernels::atomic_k_buffer, kernels::atomic_k_buffer_read);
+  check_wide_slots(kernels::cascade_k_buffer, kernels::cascade_k_buffer_read);
 }
 
 TEST_CASE("K-buffers of 32-bit slots that 65536 invocations build in two passes equal those built one by one") {

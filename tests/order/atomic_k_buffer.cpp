@@ -1,9 +1,11 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 //
-// atomic_k_buffer and split_k_buffer with real threads; tests/concurrency/slots.cpp explores their schedules.
+// atomic_k_buffer, cascade_k_buffer and split_k_buffer with real threads; tests/concurrency/slots.cpp and cascade.cpp
+// explore their schedules.
 #include <pelage/order/atomic_k_buffer.hpp>
 
+#include <pelage/order/cascade_k_buffer.hpp>
 #include <pelage/order/split_k_buffer.hpp>
 
 #include "order/slots.hpp"
@@ -25,6 +27,21 @@ outcome one_pass(const std::vector<fragment>& all, std::uint32_t threads) {
     for (const fragment f : atomic_k_buffer::load<K>(pixels.storage, neighbour)) {
       CHECK(bits(f) == bits(no_fragment()));
     }
+  }
+  return seen;
+}
+
+template <std::uint32_t K>
+outcome cascade(const std::vector<fragment>& all, std::uint32_t threads) {
+  packed_pixels<K> pixels;
+  outcome seen;
+  seen.back = offer_all(pixels.storage, all, threads,
+                        [](auto& storage, fragment f) { return cascade_k_buffer::insert<K>(storage, 1u, f); });
+  for (std::uint32_t i = 0u; i < K; ++i) {
+    seen.slots.push_back(cascade_k_buffer::at<K>(pixels.storage, 1u, i));
+    const bool neighbours_empty = bits(cascade_k_buffer::at<K>(pixels.storage, 0u, i)) == bits(no_fragment()) &&
+                                  bits(cascade_k_buffer::at<K>(pixels.storage, 2u, i)) == bits(no_fragment());
+    CHECK(neighbours_empty);
   }
   return seen;
 }
@@ -61,6 +78,17 @@ TEST_CASE("atomic_k_buffer holds the K nearest of any bits, whoever inserts them
   });
 }
 
+TEST_CASE("cascade_k_buffer holds the K nearest of any bits, whoever inserts them") {
+  holds("cascade_k_buffer, 1 to 4 threads", [] {
+    const std::vector<fragment> all = *any_fragments();
+    for_each_k(telling_k{}, [&]<std::uint32_t K>() {
+      for (std::uint32_t threads = 1u; threads <= 4u; ++threads) {
+        RC_ASSERT(is_k_nearest(cascade<K>(all, threads), all));
+      }
+    });
+  });
+}
+
 TEST_CASE("split_k_buffer holds the K nearest of any bits, whoever inserts them") {
   holds("split_k_buffer, 1 to 4 threads", [] {
     const std::vector<fragment> all = *any_fragments();
@@ -85,6 +113,7 @@ TEST_CASE("a hundred crowds from four threads end in the same slots") {
   const std::vector<fragment> all = crowd(2000u);
   for (int repeat = 0; repeat < 100; ++repeat) {
     REQUIRE(is_k_nearest(one_pass<16>(all, 4u), all));
+    REQUIRE(is_k_nearest(cascade<16>(all, 4u), all));
     REQUIRE(is_k_nearest(split<16>(all, 4u), all));
   }
 }

@@ -44,11 +44,11 @@ struct alpha_layers {
     return none;
   }
 
-  /// Puts a fragment in. `alpha`: clamped to [0, 1]; 0 and NaN change nothing, nor does what is_fragment() refuses.
-  /// `colour`: linear RGB, finite. Not concurrent. O(N).
+  /// Puts a fragment in. `alpha`: clamped to [0, 1]; NaN and what is below the least normal float, which devices take
+  /// for 0, change nothing, nor does what is_fragment() refuses. `colour`: linear RGB, finite. Not concurrent. O(N).
   inline void insert(fragment where, float alpha, const glm::vec3& colour) noexcept {
     const float opacity = saturate(alpha);
-    if (!is_fragment(where) || opacity <= 0.0f) {
+    if (!is_fragment(where) || opacity < 1.17549435e-38f) {
       return;
     }
     alpha_layer last = alpha_layer{where, 1.0f - opacity, opacity * colour};

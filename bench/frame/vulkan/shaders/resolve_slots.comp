@@ -18,7 +18,6 @@ void main() {
     return;
   }
   sink_begin(at, false);
-  slots_begin(index_of(at));
   for (uint i = 0u; i < uint(K); ++i) {
     const pelage_fragment f = slot_at(index_of(at), i);
     if (!pelage_is_fragment(f)) {

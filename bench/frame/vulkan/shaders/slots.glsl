@@ -11,27 +11,17 @@ layout(std430, binding = 19) LIVE buffer slot_buffer { uint slots[]; };
 #define PELAGE_SPLIT_K_BUFFER_K K
 #include "pelage/glsl/order/split_k_buffer.glsl"
 
-/// Before the slots of a pixel are read.
-void slots_begin(uint pixel) {}
-
-/// The i-th nearest fragment of the pixel.
 pelage_fragment slot_at(uint pixel, uint i) {
   return pelage_split_k_buffer_at(pixel, i);
 }
 #else
 layout(std430, binding = 19) LIVE buffer slot_buffer { uint64_t slots[]; };
 #define PELAGE_ATOMIC_CELLS_64_WORDS(i) slots[i]
-#define PELAGE_ATOMIC_K_BUFFER_K K
-#include "pelage/glsl/order/atomic_k_buffer.glsl"
-
-pelage_fragment slots_sorted[K];
-
-void slots_begin(uint pixel) {
-  slots_sorted = pelage_atomic_k_buffer_load(pixel);
-}
+#define PELAGE_CASCADE_K_BUFFER_K K
+#include "pelage/glsl/order/cascade_k_buffer.glsl"
 
 pelage_fragment slot_at(uint pixel, uint i) {
-  return slots_sorted[i];
+  return pelage_cascade_k_buffer_at(pixel, i);
 }
 #endif
 

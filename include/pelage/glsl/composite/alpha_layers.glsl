@@ -60,12 +60,13 @@ pelage_alpha_layers pelage_alpha_layers_empty() {
   return none;
 }
 
-/// Puts a fragment in. `alpha`: clamped to [0, 1]; 0 and NaN change nothing, nor does what pelage_is_fragment()
-/// refuses. `colour`: linear RGB, finite. Not concurrent. O(N).
+/// Puts a fragment in. `alpha`: clamped to [0, 1]; NaN and what is below the least normal float, which devices take
+/// for 0, change nothing, nor does what pelage_is_fragment() refuses. `colour`: linear RGB, finite. Not concurrent.
+/// O(N).
 void pelage_alpha_layers_insert(precise inout pelage_alpha_layers self, pelage_fragment where, float alpha,
                                 vec3 colour) {
   const float opacity = pelage_saturate(alpha);
-  if (!pelage_is_fragment(where) || opacity <= 0.0) {
+  if (!pelage_is_fragment(where) || opacity < 1.17549435e-38) {
     return;
   }
   pelage_alpha_layer last = pelage_alpha_layer(where, 1.0 - opacity, opacity * colour);

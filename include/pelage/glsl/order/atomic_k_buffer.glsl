@@ -48,6 +48,8 @@ uint[PELAGE_ATOMIC_K_BUFFER_K] PELAGE_ATOMIC_K_BUFFER_K_has_one_value_in_a_shade
 /// read are two phases, as with a_buffer. 8 K bytes a pixel: cells [pixel · K, (pixel + 1) · K), all
 /// pelage_pack(pelage_no_fragment()) at first; no pool, so nothing can fill up. K in [1, 64].
 ///
+/// For CPU threads; on a GPU cascade_k_buffer is faster, and the more so the larger K is.
+///
 /// The first K - 1 slots, in no order, are select-and-replace as in a pelage_k_buffer; what they do not hold goes on to
 /// the last slot, a minimum, which so holds the K-th nearest: a fragment behind it comes back after one load.
 ///
