@@ -11,12 +11,13 @@ namespace pelage::inline PELAGE_ABI {
 
 // Chiang's model in the parameters of pbrt-v4, MaterialX and Cycles, for materials that were made there. All three have
 // x along the curve from root to tip, as fibre_direction has; what differs is the sign of the tilt and who remaps what.
+// Defaults are those of the renderer, not set here: give every member.
 
 /// HairBxDF of pbrt-v4. Its σ_a is per fibre radius, from pigment absorption_of(), from a colour
 /// absorption_from_albedo().
 template <real_number Real>
 struct pbrt_hair {
-  Real eta;                     ///< 1.55 by default
+  Real eta;                     ///< [1, inf), 1.55 by default
   std::array<Real, 3> sigma_a;  ///< [0, inf]
   Real beta_m;                  ///< [0, 1], 0.3 by default
   Real beta_n;                  ///< [0, 1], 0.3 by default
@@ -41,7 +42,7 @@ struct materialx_lobe {
 template <real_number Real>
 struct materialx_hair {
   std::array<Real, 3> tints;                   ///< of R, TT and TRT, [0, inf)
-  Real ior;                                    ///< 1.55 by default
+  Real ior;                                    ///< [1, inf), 1.55 by default
   std::array<materialx_lobe<Real>, 3> lobes;   ///< R, TT and TRT; N is taken from R, whose scale is all lobes' there
   Real cuticle_angle;                          ///< [0, 1]: ½ is no tilt; 0.4889 turns R towards +x by 2 · 2°
   std::array<Real, 3> absorption_coefficient;  ///< σ_a, [0, inf]
@@ -73,14 +74,15 @@ template <real_number Real>
 template <real_number Real>
 [[nodiscard]] inline materialx_hair<Real> materialx_from_chiang(const chiang_parameters<Real>& fibre) noexcept;
 
-/// Principled hair of Cycles by Chiang's model, at one strand.
+/// Principled hair of Cycles by Chiang's model, at one strand; a melanin material has its `absorption` from
+/// cycles_absorption_from_melanin().
 template <real_number Real>
 struct cycles_hair {
   std::array<Real, 3> absorption;  ///< σ_a, [0, inf]: direct, or by the functions below
   Real roughness;                  ///< [0.001, 1], clamped to that, 0.3 by default
   Real radial_roughness;           ///< the same
   Real coat;                       ///< [0, 1], clamped to that: how much smoother R is, 0 by default
-  Real ior;                        ///< 1.55 by default
+  Real ior;                        ///< [1, inf), 1.55 by default
   Real offset;                     ///< radians, 2° by default: R turns towards the root
   Real random;                     ///< the strand's own number, [0, 1]; ½ changes nothing
   Real random_roughness;           ///< [0, 1], 0 by default: both roughnesses times 1 + 2 (random - ½) of it

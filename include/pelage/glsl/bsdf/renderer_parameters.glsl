@@ -14,7 +14,7 @@
 /// HairBxDF of pbrt-v4. Its σ_a is per fibre radius, from pigment pelage_absorption_of(), from a colour
 /// pelage_absorption_from_albedo().
 struct pelage_pbrt_hair {
-  float eta;         ///< 1.55 by default
+  float eta;         ///< [1, inf), 1.55 by default
   float sigma_a[3];  ///< [0, inf]
   float beta_m;      ///< [0, 1], 0.3 by default
   float beta_n;      ///< [0, 1], 0.3 by default
@@ -36,7 +36,7 @@ struct pelage_materialx_lobe {
 /// attenuation by a colour, that of TRT in the residual lobe as well.
 struct pelage_materialx_hair {
   float tints[3];                   ///< of R, TT and TRT, [0, inf)
-  float ior;                        ///< 1.55 by default
+  float ior;                        ///< [1, inf), 1.55 by default
   pelage_materialx_lobe lobes[3];   ///< R, TT and TRT; N is taken from R, whose scale is all lobes' there
   float cuticle_angle;              ///< [0, 1]: ½ is no tilt; 0.4889 turns R towards +x by 2 · 2°
   float absorption_coefficient[3];  ///< σ_a, [0, inf]
@@ -63,13 +63,14 @@ precise pelage_chiang_fibre pelage_chiang_from_materialx(pelage_materialx_hair h
 /// The nearest that chiang_hair_bsdf has to parameters whose roughnesses it clamps.
 precise pelage_materialx_hair pelage_materialx_from_chiang(pelage_chiang_parameters fibre);
 
-/// Principled hair of Cycles by Chiang's model, at one strand.
+/// Principled hair of Cycles by Chiang's model, at one strand; a melanin material has its `absorption` from
+/// pelage_cycles_absorption_from_melanin().
 struct pelage_cycles_hair {
   float absorption[3];     ///< σ_a, [0, inf]: direct, or by the functions below
   float roughness;         ///< [0.001, 1], clamped to that, 0.3 by default
   float radial_roughness;  ///< the same
   float coat;              ///< [0, 1], clamped to that: how much smoother R is, 0 by default
-  float ior;               ///< 1.55 by default
+  float ior;               ///< [1, inf), 1.55 by default
   float offset;            ///< radians, 2° by default: R turns towards the root
   float random;            ///< the strand's own number, [0, 1]; ½ changes nothing
   float random_roughness;  ///< [0, 1], 0 by default: both roughnesses times 1 + 2 (random - ½) of it
