@@ -75,6 +75,18 @@ TEST_CASE("Layered maps on a device shadow as the processor's do") {
   }
 }
 
+TEST_CASE("Where the layers of lines begin is what lines reach, on a device as on the processor") {
+  for (const char* shadow : {"deep_opacity:4", "deep_opacity_growing:4"}) {
+    CAPTURE(shadow);
+    frame_settings settings = small_frame(shadow, "k_buffer");
+    settings.fibre_radius = 0.03F;
+    settings.drawn = primitive::line;
+    if (const auto got = draw(settings, 1, small_hair())) {
+      CHECK(compare(got->picture, drawn_here(settings, small_hair())).rms < 0.0004);
+    }
+  }
+}
+
 TEST_CASE("Blended without sorting, a device's picture is the processor's except for rounding") {
   for (const std::string& blend : blends) {
     for (const bool antialias : {false, true}) {

@@ -14,6 +14,12 @@ constexpr std::uint32_t from_nearest = 0x80000000U;
 constexpr std::uint32_t to_farthest = 0x40000000U;
 constexpr std::uint32_t growing_widths = 0x20000000U;
 
+/// What a light sees of the fibres; opacities have no say in where layers begin.
+raster raster_of(const stage& set, const view& from, primitive drawn) {
+  if (drawn == primitive::segment) return {set.fibres, from, true};
+  return {set.fibres, from, true, line_depths_of(set, from)};
+}
+
 void place(scene_block::view_block& to, std::uint32_t layers, const raster& from, const solids& opaque,
            shadow_method method) {
   if (method == shadow_method::opacity) {
@@ -60,7 +66,7 @@ std::uint32_t layer_words(std::uint32_t layers) {
 void place_layers(scene_block& to, const stage& set, const frame_settings& settings) {
   const std::uint32_t layers = has_shadows(settings.shown) ? light_layers(settings) : 0;
   for (std::size_t i = 0; layers > 0 && i < set.lights.size(); ++i)
-    place(to.views[i], layers, raster(set.fibres, set.light_views[i], true), set.opaque, settings.shadow.method);
+    place(to.views[i], layers, raster_of(set, set.light_views[i], settings.drawn), set.opaque, settings.shadow.method);
   if (const std::uint32_t own = camera_layers(settings); own > 0) {
     to.views[set.lights.size()].layers = own | from_nearest | to_farthest;
   }
