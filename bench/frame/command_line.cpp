@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -180,8 +181,9 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   CLI::Option* frames = app.add_option("--frames", c.frames,
                                        "drawn by --device vulkan, whose report has their median times, or of --turn")
                             ->check(CLI::Range(1, 100000));
-  app.add_option("--turn", c.turn, "how far the camera goes round the model from frame to frame, degrees")
-      ->check(CLI::Range(-360.0, 360.0));
+  CLI::Option* turn =
+      app.add_option("--turn", c.turn, "how far the camera goes round the model from frame to frame, degrees")
+          ->check(CLI::Range(-360.0, 360.0));
   app.add_option("--shuffle", s.shuffle, "draw segments in an order of this seed; the picture is the same")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
@@ -208,7 +210,8 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
     throw std::invalid_argument("--tail needs --blend k_buffer");
   }
   if (c.on_device && s.tails > 1) throw std::invalid_argument("--tail: --device vulkan keeps the mean or none");
-  check_drawn_on(c.on_device, spacing, s.shading_spacing, frames, c.turn != 0.0F);
+  check_drawn_on(c.on_device, spacing, s.shading_spacing, frames, turn->count() > 0);
+  if (std::isnan(c.turn)) throw std::invalid_argument("--turn must be in [-360, 360] degrees");
   for (const std::string& text : lights)
     s.lights.push_back(parse_light(text));
   if (ambient.size() == 2) throw std::invalid_argument("--ambient takes R,G,B or one number");

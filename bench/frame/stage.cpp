@@ -28,7 +28,8 @@ void check(const frame_settings& s) {
   if (s.opacity >= 0.0F && s.look.passing == attenuation::fresnel) {
     throw std::invalid_argument("--alpha needs --attenuation constant");
   }
-  if (s.from && !(std::isfinite(s.from->x) && std::abs(s.from->y) < 90.0F)) {
+  if (s.from && !std::isfinite(s.from->x)) throw std::invalid_argument("the camera's azimuth must be finite");
+  if (s.from && !(std::abs(s.from->y) < 90.0F)) {
     throw std::invalid_argument("the camera's elevation must be in (-90, 90) degrees");
   }
   for (const float channel : {s.ambient.r, s.ambient.g, s.ambient.b})

@@ -35,4 +35,14 @@ TEST_CASE("words that no option has, and options that have no meaning together, 
   t.check_refused(tiny + "--out a.png --attenuation fresnel --tilt 3", "--tilt");
 }
 
+TEST_CASE("a turn is a number of degrees, which may be 0, and a line that refuses one says so") {
+  const terminal t;
+  t.check_refused(tiny + "--out a.png --turn nan", "--turn must be in [-360, 360]");
+  t.check_refused(tiny + "--out a.png --turn nan --frames 3", "--turn must be in [-360, 360]");
+  t.check_refused(tiny + "--out a.png --from=nan,0", "azimuth");
+  REQUIRE(t.run(tiny + "--out a.png") == 0);
+  REQUIRE(t.run(tiny + "--out b.png --turn 0 --frames 3") == 0);
+  CHECK(text_of(t.folder / "a.png") == text_of(t.folder / "b.png"));
+}
+
 }  // namespace pelage::test
