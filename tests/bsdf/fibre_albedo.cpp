@@ -59,3 +59,12 @@ TEST_CASE("absorption_from_fibre_albedo is the inverse, and defined beyond its r
   CHECK(fibre_albedo(1.55, std::numeric_limits<double>::quiet_NaN(), 0.0) == fibre_albedo(1.55, 1e30, 0.0));
   CHECK(fibre_albedo(1.55, absorption_from_albedo(0.1, 0.3), 0.0) == doctest::Approx(0.76).epsilon(3e-3));
 }
+
+TEST_CASE("no fibre scatters more than it meets, and colours from 1 on need none of its absorption") {
+  test::holds("in floats", [](std::uint8_t index, std::int8_t slope) {
+    const float eta = 1.0f + static_cast<float>(index) / 127.5f;
+    RC_ASSERT(fibre_albedo(eta, 0.0f, static_cast<float>(slope) / 128.0f) <= 1.0f);
+    RC_ASSERT(absorption_from_fibre_albedo(1.0f, eta) == 0.0f);
+  });
+  CHECK(absorption_from_fibre_albedo(1.0f, 1.0f) == 0.0f);
+}

@@ -41,7 +41,7 @@ Real fibre_albedo(Real eta, Real sigma_a, Real sin_theta) noexcept {
     sum = sum + place.weight * ((paths[0] + paths[1]) + (paths[2] + paths[3]));
     weights = weights + place.weight;
   }
-  return sum / weights;
+  return least(sum / weights, Real(1));
 }
 
 template <std::floating_point Real>
@@ -54,7 +54,7 @@ Real absorption_from_fibre_albedo(Real colour, Real eta) noexcept {
     dark = too_dark ? middle : dark;
     light = too_dark ? light : middle;
   }
-  return greatest(Real(0) - natural_logarithm(light), Real(0));
+  return colour >= Real(1) ? Real(0) : greatest(Real(0) - natural_logarithm(light), Real(0));
 }
 
 }  // namespace pelage

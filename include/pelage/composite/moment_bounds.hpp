@@ -43,7 +43,8 @@ struct moment_bounds {
 }
 
 /// Mean moments are scaled by this, (0, 1), so that rounding leaves them those of some distribution: it mixes 2⁻¹⁹ of
-/// one without gaps, whose moments are 0, into them, and 8 units, for the rounding of the sums. [ibid.]
+/// one without gaps, whose moments are 0, into them, and 8 units, for the rounding of the sums. [ibid.] `amounts` as in
+/// mean_moment().
 [[nodiscard]] constexpr float unbiased_share(std::uint32_t amounts) noexcept {
   return 1.0f - (1.9073486e-6f + 8.0f / (8.0f + static_cast<float>(amounts)));
 }

@@ -39,9 +39,10 @@ struct trigonometric_visibility {
 
 /// As power_moments, with the moments e^(i k φ), k from 1 to N, over depth as an angle φ in 0.9 · [-π, π]: as fine in
 /// the middle of the range as at its ends, where powers are finer. [Münstermann et al. 2018] N is 2 or 3; those beyond
-/// 3 are not made use of. As many sums as with 2 N powers, and as many fragments told apart. A node in the tenth of the
-/// circle where no fragment is counts by where it lies there, the mean over the angles at which the circle can be cut,
-/// so that the estimate is continuous. 8 N + 4 bytes, 8 more with the depth_range.
+/// 3 are not made use of. As many sums as with 2 N powers, and as many fragments told apart, three with less precision:
+/// within 0.02 in what passes for alphas from 0.05 to 0.95 that lie apart by a twentieth of the range. A node in the
+/// tenth of the circle where no fragment is counts by where it lies there, the mean over the angles at which the circle
+/// can be cut, so that the estimate is continuous. 8 N + 4 bytes, 8 more with the depth_range.
 template <std::uint32_t N = 2u>
 struct trigonometric_moments {
   static_assert(N >= 1u && N <= 15u, "pelage::trigonometric_moments<N>: N must be in [1, 15]");

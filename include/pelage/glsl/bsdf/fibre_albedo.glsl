@@ -36,7 +36,7 @@ precise float pelage_fibre_albedo(float eta, float sigma_a, float sin_theta) {
     sum = sum + place.weight * ((paths[0] + paths[1]) + (paths[2] + paths[3]));
     weights = weights + place.weight;
   }
-  return sum / weights;
+  return pelage_least(sum / weights, 1.0);
 }
 
 precise float pelage_absorption_from_fibre_albedo(float colour, float eta) {
@@ -48,7 +48,7 @@ precise float pelage_absorption_from_fibre_albedo(float colour, float eta) {
     dark = too_dark ? middle : dark;
     light = too_dark ? light : middle;
   }
-  return pelage_greatest(0.0 - pelage_natural_logarithm(light), 0.0);
+  return colour >= 1.0 ? 0.0 : pelage_greatest(0.0 - pelage_natural_logarithm(light), 0.0);
 }
 
 #endif

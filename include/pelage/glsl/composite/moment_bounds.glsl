@@ -40,7 +40,8 @@ precise float pelage_mean_moment(uint parts, uint amounts) {
 }
 
 /// Mean moments are scaled by this, (0, 1), so that rounding leaves them those of some distribution: it mixes 2⁻¹⁹ of
-/// one without gaps, whose moments are 0, into them, and 8 units, for the rounding of the sums. [ibid.]
+/// one without gaps, whose moments are 0, into them, and 8 units, for the rounding of the sums. [ibid.] `amounts` as in
+/// pelage_mean_moment().
 precise float pelage_unbiased_share(uint amounts) {
   return 1.0 - (1.9073486e-6 + 8.0 / (8.0 + float(amounts)));
 }

@@ -46,9 +46,11 @@ struct pelage_power_visibility {
   float ratio[3];   ///< the norm of pⱼ₊₁ over that of pⱼ, squared
 };
 
-/// The bounds of what lies before a depth. `relative`: pelage_depth_range_relative in the range of the sums. None of
-/// them falls as the depth grows, except by rounding: by less than 1e-4 in what passes. Nothing lies before the range:
-/// {0, 0} for 0 and below and for NaN. Above 1: as at 1.
+/// The bounds of what lies before a depth. `relative`: pelage_depth_range_relative in the range of the sums. Nothing
+/// lies before the range: {0, 0} for 0 and below and for NaN. Above 1: as at 1. None of them falls as the depth grows,
+/// and what lies before it is within them, except by rounding: by 1e-4 in what passes with N = 4. With N = 6 by 1e-2 in
+/// the pixel's own range, and by more where few units of amount lie in a part of a wider one: nodes that noise hides
+/// are taken for none.
 precise pelage_moment_bounds pelage_power_visibility_bounds_before(pelage_power_visibility self, float relative);
 
 /// The estimate, [0, amount] in units of pelage_optical_depth(), for pelage_transmittance_of().
@@ -67,17 +69,19 @@ const uint pelage_power_moments_cells = PELAGE_POWER_MOMENTS_N + 2u;  ///< a pix
 
 /// The moments of a pixel's optical depth over depth: moment-based transparency. [Münstermann et al. 2018] What lies
 /// before a depth is estimated from N + 1 sums; weigh a fragment by pelage_optical_weight(alpha,
-/// amount_before_fragment()), pelage_add_weighted() and pelage_resolve(), whose transmittance is exact.
+/// amount_before_fragment()) of order_weighted.glsl, then pelage_add_weighted() and pelage_resolve() of
+/// weighted_sum.glsl, whose transmittance is exact.
 ///
 /// N is 4 or 6; with 2 mean and variance are all that is known, and those beyond 6 are not made use of. Depth is linear
 /// in the pixel's own range (the paper: logarithmic in the scene's), so that a first pass finds it by
 /// pelage_depth_range, and all moments serve the pixel's own fibres. They are taken of Chebyshev polynomials T₁ to Tₙ,
 /// which span what powers span, but whose rounding the reconstruction does not amplify. Integer sums of
 /// pelage_optical_depth(): any order of fragments gives the same bits; they are rounded by a unit a fragment, and stop
-/// at 2³² - 1. One fragment alone is exact, as are all at one depth; before one of two lies what does within 2⁻¹⁷ of
-/// the pixel's octaves, and so it is with N / 2 that lie apart by more than a thousandth of the range. A nearly opaque
-/// fragment holds nearly all of the sum, and leaves wide bounds to the others. 4 N + 4 bytes, 8 more with the
-/// pelage_depth_range.
+/// at 2³² - 1. In the pixel's own range one fragment alone is exact, as are all at one depth, and so is each of two
+/// within 2⁻¹⁷ of the pixel's octaves and 8 units, which is 1e-4 in what passes. With N = 6 each of three that lie
+/// apart by a twentieth of the range is within 1e-3 in what passes for alphas from 0.01 on; nearer ones run together. A
+/// nearly opaque fragment holds nearly all of the sum, and leaves wide bounds to the others. 4 N + 4 bytes, 8 more with
+/// the pelage_depth_range.
 struct pelage_power_moments {
   uint sum[PELAGE_POWER_MOMENTS_N + 1u];  ///< the amount, then that of pelage_moment_part() for T₁ to Tₙ
 };
