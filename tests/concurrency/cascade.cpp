@@ -6,6 +6,7 @@
 
 #include "concurrency/patterns.hpp"
 #include "concurrency/report.hpp"
+#include "concurrency/slot_faults.hpp"
 
 #include <doctest/doctest.h>
 
@@ -16,20 +17,9 @@ namespace {
 using namespace pelage;
 using namespace pelage::explore;
 using order = std::memory_order;
-constexpr order relaxed = std::memory_order_relaxed;
 
 /// Three fragments for two threads and two slots, one tie: each fault shows here.
 const inserts small = {{{2.0f, 7u}, {1.0f, 8u}}, {{2.0f, 3u}}};
-
-/// A minimum in two steps, each atomic.
-struct minimum_in_two_steps : watched_slots {
-  using watched_slots::watched_slots;
-  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order o) {
-    const std::uint64_t held = load(slot, o);
-    cell(slot).store(std::min(held, value), o);
-    return held;
-  }
-};
 
 /// The exchange is not verified: what came in between is overwritten.
 struct exchanges_blindly : watched_slots {
@@ -40,50 +30,11 @@ struct exchanges_blindly : watched_slots {
   }
 };
 
-/// A minimum by compare-exchange that is tried once.
-struct minimum_without_retry : watched_slots {
-  using watched_slots::watched_slots;
-  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order o) {
-    std::uint64_t held = load(slot, relaxed);
-    if (value < held) {
-      (void)cell(slot).compare_exchange_strong(held, value, o, relaxed);
-    }
-    return held;
-  }
-};
-
-/// The cascade carries on what it put in, not what it found.
-struct carries_the_smaller : watched_slots {
-  using watched_slots::watched_slots;
-  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order o) {
-    return std::min(watched_slots::fetch_min(slot, value, o), value);
-  }
-};
-
 /// (1) and (2) compare depths alone, so that a tie passes over a slot that it should have taken.
 struct looks_at_depth_alone : watched_slots {
   using watched_slots::watched_slots;
   [[nodiscard]] std::uint64_t load(std::uint32_t slot, order o) const {
     return watched_slots::load(slot, o) & 0xffffffff00000000u;
-  }
-};
-
-/// (1) looks at the first slot in place of the last.
-struct refuses_too_early : watched_slots {
-  using watched_slots::watched_slots;
-  [[nodiscard]] std::uint64_t load(std::uint32_t slot, order o) const {
-    return watched_slots::load(world::current().thread() >= 0 && slot == size() - 1u ? 0u : slot, o);
-  }
-};
-
-/// Everything seq_cst: a correct variant.
-struct seq_cst_slots : watched_slots {
-  using watched_slots::watched_slots;
-  [[nodiscard]] std::uint64_t load(std::uint32_t slot, order) const {
-    return watched_slots::load(slot, std::memory_order_seq_cst);
-  }
-  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order) {
-    return watched_slots::fetch_min(slot, value, std::memory_order_seq_cst);
   }
 };
 
@@ -121,7 +72,7 @@ TEST_CASE("cascade_k_buffer: each fault is found") {
   found<minimum_in_two_steps>("(3) a minimum in two steps", "the slots are not");
   found<exchanges_blindly>("(3) an exchange that is not verified", "the slots are not");
   found<minimum_without_retry>("(3) a lost retry", "the slots are not");
-  found<carries_the_smaller>("(3) carries on the smaller", "the slots are not");
+  found<hands_back_the_smaller>("(3) carries on the smaller", "the slots are not");
   found<looks_at_depth_alone>("(1), (2) compare depths alone", "the slots are not");
   found<refuses_too_early>("(1) looks at the first slot", "the slots are not");
   const auto reads = [](auto test) { return test(small); };

@@ -6,6 +6,7 @@
 
 #include "concurrency/patterns.hpp"
 #include "concurrency/report.hpp"
+#include "concurrency/slot_faults.hpp"
 
 #include <doctest/doctest.h>
 
@@ -50,36 +51,6 @@ struct exchange_without_retry : watched_slots {
   }
 };
 
-/// A minimum in two steps, each atomic.
-struct minimum_in_two_steps : watched_slots {
-  using watched_slots::watched_slots;
-  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order o) {
-    const std::uint64_t held = load(slot, o);
-    cell(slot).store(std::min(held, value), o);
-    return held;
-  }
-};
-
-/// A minimum by compare-exchange that is tried once.
-struct minimum_without_retry : watched_slots {
-  using watched_slots::watched_slots;
-  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order o) {
-    std::uint64_t held = load(slot, relaxed);
-    if (value < held) {
-      (void)cell(slot).compare_exchange_strong(held, value, o, relaxed);
-    }
-    return held;
-  }
-};
-
-/// What falls out is what was put in, not what was found.
-struct hands_back_the_smaller : watched_slots {
-  using watched_slots::watched_slots;
-  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order o) {
-    return std::min(watched_slots::fetch_min(slot, value, o), value);
-  }
-};
-
 /// A slot as it looks to threads that insert, and as it is to who reads in the end.
 template <class Look>
 struct slots_that_look : watched_slots {
@@ -108,28 +79,6 @@ struct first_unseen {
 struct last_empty {
   std::uint64_t operator()(std::uint32_t slot, std::uint32_t last, std::uint64_t held) const {
     return slot == last ? pack(no_fragment()) : held;
-  }
-};
-
-/// (1) looks at the first slot in place of the last.
-struct refuses_too_early : watched_slots {
-  using watched_slots::watched_slots;
-  [[nodiscard]] std::uint64_t load(std::uint32_t slot, order o) const {
-    return watched_slots::load(world::current().thread() >= 0 && slot == size() - 1u ? 0u : slot, o);
-  }
-};
-
-/// Everything seq_cst: a correct variant.
-struct seq_cst_slots : watched_slots {
-  using watched_slots::watched_slots;
-  [[nodiscard]] std::uint64_t load(std::uint32_t slot, order) const {
-    return watched_slots::load(slot, std::memory_order_seq_cst);
-  }
-  std::uint64_t fetch_min(std::uint32_t slot, std::uint64_t value, order) {
-    return watched_slots::fetch_min(slot, value, std::memory_order_seq_cst);
-  }
-  std::uint64_t compare_exchange(std::uint32_t slot, std::uint64_t expected, std::uint64_t desired, order) {
-    return watched_slots::compare_exchange(slot, expected, desired, std::memory_order_seq_cst);
   }
 };
 

@@ -3,7 +3,7 @@
 #include "frame/blends/moments.hpp"
 
 #include "frame/blends/blend_choice.hpp"
-#include "frame/draws.hpp"
+#include "frame/drawn_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,41 +19,12 @@ namespace pelage::test {
 
 using namespace frame;
 
-using layers = std::vector<layer>;
 using blend = std::function<glm::vec3(const layers&, const glm::vec3&)>;
 
 const std::vector<blend> by_moments{blend_moments<power_moments<4>>, blend_moments<power_moments<6>>,
                                     blend_moments<trigonometric_moments<2>>, blend_moments<trigonometric_moments<3>>};
 const std::vector<blend> all_blends{blend_layers<1>, blend_layers<4>, by_moments[0],
                                     by_moments[1],   by_moments[2],   by_moments[3]};
-
-layer any_layer(std::uint32_t id, float depth, float alpha) {
-  return {{depth, id}, alpha, any_vec3(0.0F, 2.0F)};
-}
-
-layers any_layers(int most) {
-  layers all;
-  const auto count = static_cast<std::uint32_t>(*rc::gen::inRange(1, most + 1));
-  for (std::uint32_t id = 0; id < count; ++id)
-    all.push_back(any_layer(id, any_float(1.0F, 9.0F), any_float(0.0F, 1.0F)));
-  return all;
-}
-
-/// Layer over layer, nearest first.
-glm::dvec3 over_all(layers all, const glm::vec3& background) {
-  std::sort(all.begin(), all.end(), [](const layer& a, const layer& b) { return before(a.where, b.where); });
-  glm::dvec3 sum(0.0);
-  double passed = 1.0;
-  for (const layer& l : all) {
-    sum += passed * static_cast<double>(l.alpha) * glm::dvec3(l.radiance);
-    passed *= 1.0 - static_cast<double>(l.alpha);
-  }
-  return sum + passed * glm::dvec3(background);
-}
-
-bool near(const glm::vec3& a, const glm::dvec3& b, double error) {
-  return glm::length(glm::dvec3(a) - b) < error;
-}
 
 TEST_CASE("no order of layers changes a bit, and finite colours stay finite") {
   holds("any layers", [] {
