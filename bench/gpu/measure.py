@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 
+import growth
 import steps
 
 HAIR = ["--strands", "50000", "--segments", "48"]
@@ -36,13 +37,15 @@ BASELINE_BLENDS = ["order_weighted", "weighted_average", "weighted_blended", "de
                    "trigonometric:3"]
 
 
-def draw(program, options, frames, picture=None):
-    """The program's report of some frames."""
+def draw(program, options, frames, picture=None, refusable=False):
+    """The program's report of some frames; with `refusable` what it says instead, if it does not draw them."""
     with tempfile.TemporaryDirectory() as scratch:
         report = pathlib.Path(scratch) / "report.json"
         out = picture or pathlib.Path(scratch) / "frame.png"
         command = [program, "--device", "vulkan", "--frames", str(frames), "--out", str(out), "--report", str(report)]
         done = subprocess.run(command + options, capture_output=True, text=True, check=False)
+        if done.returncode != 0 and refusable:
+            return done.stderr.strip()
         if done.returncode != 0:
             sys.exit(done.stderr.strip())
         return json.loads(report.read_text())
@@ -195,6 +198,7 @@ def main():
         "baselines": baselines_table(program, folder),
         "headline": headline(program, folder / "gpu.png"),
         "steps": steps.tables(draw, program),
+        "growth": growth.tables(draw, program),
     }
     (folder / "gpu.json").write_text(json.dumps(reports, indent=2) + "\n")
 
