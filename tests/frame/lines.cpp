@@ -82,7 +82,8 @@ TEST_CASE("a thin line draws the pixel of each column or row that it runs throug
       beside += any_float(-0.9F, 0.9F) * step;
     }
     const strands fibres = fibres_of({line}, 0.1F, 1.0F);
-    const raster from(fibres, flat_view(32), true, line_depths_of(fibres, flat_view(32), 0, 1.0F));
+    const view seen = flat_view(32);
+    const raster from(fibres, seen, true, line_depths_of(fibres, seen, 0, 1.0F));
     std::set<int> columns;
     for (std::uint32_t s = 0; s < fibres.segment_count(); ++s) {
       const glm::dvec3 a(fibres.point[s]);
