@@ -26,10 +26,12 @@ TEST_CASE("By jittered look-ups a device's picture is the processor's except for
   settings.on_bust = true;
   settings.shading_spacing = std::numeric_limits<float>::infinity();  // as shaders light segments
   try {
-    for (const auto& [shadow, model] : {std::pair{shadow_method::k_buffer, bsdf_model::kajiya_kay},
-                                        std::pair{shadow_method::occupancy, bsdf_model::kajiya_kay},
-                                        std::pair{shadow_method::k_buffer, bsdf_model::dual_scattering},
-                                        std::pair{shadow_method::occupancy, bsdf_model::chiang}}) {
+    for (const auto& maps_and_model : {std::pair{shadow_method::k_buffer, bsdf_model::kajiya_kay},
+                                       std::pair{shadow_method::occupancy, bsdf_model::kajiya_kay},
+                                       std::pair{shadow_method::k_buffer, bsdf_model::dual_scattering},
+                                       std::pair{shadow_method::occupancy, bsdf_model::chiang}}) {
+      const shadow_method shadow = maps_and_model.first;
+      const bsdf_model model = maps_and_model.second;
       CAPTURE(static_cast<int>(shadow));
       CAPTURE(static_cast<int>(model));
       settings.shadow.method = shadow;
