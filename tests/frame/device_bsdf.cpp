@@ -1,22 +1,20 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/vulkan/device_frame.hpp"
-
 #include <doctest/doctest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "frame/fibres.hpp"
-#include "frame/model/built_in.hpp"
+#include "frame/on_device.hpp"
 
 namespace pelage::test {
-
-using namespace frame;
 
 constexpr bsdf_model models[]{bsdf_model::kajiya_kay, bsdf_model::marschner, bsdf_model::chiang,
                               bsdf_model::dual_scattering};
@@ -24,39 +22,12 @@ constexpr bsdf_model models[]{bsdf_model::kajiya_kay, bsdf_model::marschner, bsd
 /// Root mean square of what a device's channels may differ by from the processor's.
 constexpr double rounding = 0.0003;
 
-const hair_model& small_hair() {
-  static const hair_model model = make_built_in(150, 12, 1);
-  return model;
-}
-
 frame_settings lit_by(bsdf_model model, std::optional<melanin<float>> pigment = melanin_of<float>(hair_colour::blond)) {
-  frame_settings s;
-  s.width = 56;
-  s.height = 44;
+  frame_settings s = small_frame();
   s.k = 8;
-  s.opacity = 0.4F;
-  s.fibre_radius = 0.02F;
-  s.on_bust = true;
-  s.shading_spacing = std::numeric_limits<float>::infinity();  // as shaders light segments
   s.look.model = model;
   s.look.pigment = pigment;
   return s;
-}
-
-/// None, after one line, on a machine without a device, unless one is a must.
-std::optional<device_frame> draw(const frame_settings& settings, std::uint32_t frames = 1,
-                                 const hair_model& model = small_hair()) {
-  try {
-    return draw_frame_on_device(model, settings, frames);
-  } catch (const no_device& e) {
-    MESSAGE("not run: ", e.what());
-    CHECK(std::getenv("PELAGE_DEVICE_REQUIRED") == nullptr);
-    return std::nullopt;
-  }
-}
-
-image drawn_here(const frame_settings& settings, const hair_model& model = small_hair()) {
-  return draw_frame(model, settings, [](const std::string&, double) {}).picture;
 }
 
 TEST_CASE("Every model's picture, in every colour, is the processor's except for rounding") {
@@ -71,7 +42,7 @@ TEST_CASE("Every model's picture, in every colour, is the processor's except for
       const frame_settings settings = lit_by(model, pigment);
       const std::optional<device_frame> got = draw(settings);
       if (!got) return;
-      const double apart = compare(got->picture, drawn_here(settings)).rms;
+      const double apart = compare(got->picture, drawn_here(settings).picture).rms;
       CHECK(apart < rounding);
       worst = std::max(worst, apart);
     }
@@ -83,7 +54,7 @@ TEST_CASE("A fibre a little different differs by more than rounding") {
   for (const bsdf_model model : models) {
     if (model == bsdf_model::kajiya_kay) continue;  // of all this it has the pigment alone
     const frame_settings settings = lit_by(model);
-    const image expected = drawn_here(settings);
+    const image expected = drawn_here(settings).picture;
     std::vector<fibre_look> others(4, settings.look);
     others[0].eta += 0.05F;
     others[1].beta_m += 0.02F;
@@ -108,7 +79,7 @@ TEST_CASE("A fibre a little different differs by more than rounding") {
 /// The processor's picture, whatever else the settings say.
 void check_picture(const frame_settings& settings) {
   const std::optional<device_frame> got = draw(settings);
-  if (got) CHECK(compare(got->picture, drawn_here(settings)).rms < rounding);
+  if (got) CHECK(compare(got->picture, drawn_here(settings).picture).rms < rounding);
 }
 
 TEST_CASE("Every model has the processor's shadows, whatever the maps keep, in filtered and in jittered look-ups") {
@@ -190,7 +161,7 @@ TEST_CASE("A texel's count of fibres stops at 4096 and does not begin anew") {
     settings.lights = {{light_kind::directional, glm::vec3(0.0F), {0.0F, 0.0F, 1.0F}, glm::vec3(0.2F)}};
     const std::optional<device_frame> got = draw(settings, 1, model);
     if (!got) return;
-    CHECK(compare(got->picture, drawn_here(settings, model)).rms < rounding);
+    CHECK(compare(got->picture, drawn_here(settings, 1, model).picture).rms < rounding);
   }
 }
 

@@ -1,57 +1,29 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-#include "frame/vulkan/device_frame.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <limits>
+#include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "frame/fibres.hpp"
-#include "frame/model/built_in.hpp"
+#include "frame/on_device.hpp"
 
 namespace pelage::test {
-
-using namespace frame;
 
 constexpr order_method methods[]{order_method::k_buffer,       order_method::a_buffer,
                                  order_method::ordered_list,   order_method::atomic_k_buffer,
                                  order_method::split_k_buffer, order_method::partial_selection_sort,
                                  order_method::selection_sort};
 
-/// Hair so thick that no pixel of it keeps all its fragments at K = 4, and all do at K = 64.
-const hair_model& small_hair() {
-  static const hair_model model = make_built_in(150, 12, 1);
-  return model;
-}
-
-frame_settings small_frame(order_method order, std::uint32_t k) {
-  frame_settings s;
-  s.width = 56;
-  s.height = 44;
+frame_settings ordered_frame(order_method order, std::uint32_t k) {
+  frame_settings s = small_frame();
   s.order = order;
   s.k = k;
-  s.opacity = 0.4F;
-  s.fibre_radius = 0.02F;
-  s.on_bust = true;
-  s.shading_spacing = std::numeric_limits<float>::infinity();  // as shaders light segments
   return s;
-}
-
-/// None, after one line, on a machine without a device, unless one is a must.
-std::optional<device_frame> draw(const frame_settings& settings, std::uint32_t frames = 1,
-                                 const hair_model& model = small_hair()) {
-  try {
-    return draw_frame_on_device(model, settings, frames);
-  } catch (const no_device& e) {
-    MESSAGE("not run: ", e.what());
-    CHECK(std::getenv("PELAGE_DEVICE_REQUIRED") == nullptr);
-    return std::nullopt;
-  }
 }
 
 /// Why a frame is refused, or nothing.
@@ -69,12 +41,12 @@ TEST_CASE("A device's picture is the processor's except for rounding") {
     for (const bool antialias : {false, true}) {
       CAPTURE(static_cast<int>(shown));
       CAPTURE(antialias);
-      frame_settings settings = small_frame(order_method::k_buffer, 8);
+      frame_settings settings = ordered_frame(order_method::k_buffer, 8);
       settings.shown = shown;
       settings.antialias = antialias;
       const std::optional<device_frame> got = draw(settings);
       if (!got) return;
-      const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
+      const frame_result expected = drawn_here(settings);
       CHECK(compare(got->picture, expected.picture).rms < 0.001);
       CHECK(got->views.size() == expected.passes.size());
       for (std::size_t v = 0; v < got->views.size(); ++v) {
@@ -91,7 +63,7 @@ TEST_CASE("Every structure draws one picture, in every frame") {
   for (const order_method order : methods) {
     if (order == order_method::selection_sort) continue;  // it has no tail
     CAPTURE(static_cast<int>(order));
-    const std::optional<device_frame> got = draw(small_frame(order, 4), 10);
+    const std::optional<device_frame> got = draw(ordered_frame(order, 4), 10);
     if (!got) return;
     CHECK(got->same == got->frames);
     if (!first) first = got->hash;
@@ -104,14 +76,14 @@ TEST_CASE("Truncated, every structure draws the processor's one picture, and wha
   for (const order_method order : methods) {
     if (order == order_method::selection_sort) continue;  // it loses nothing
     CAPTURE(static_cast<int>(order));
-    frame_settings settings = small_frame(order, 4);
+    frame_settings settings = ordered_frame(order, 4);
     settings.tails = 0;
     const std::optional<device_frame> got = draw(settings);
     if (!got) return;
     if (!first) {
-      const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
+      const frame_result expected = drawn_here(settings);
       CHECK(compare(got->picture, expected.picture).rms < 0.001);
-      CHECK(compare(got->picture, draw(small_frame(order, 4))->picture).rms > 0.02);
+      CHECK(compare(got->picture, draw(ordered_frame(order, 4))->picture).rms > 0.02);
       first = got->hash;
     }
     CHECK(got->hash == *first);
@@ -119,10 +91,10 @@ TEST_CASE("Truncated, every structure draws the processor's one picture, and wha
 }
 
 TEST_CASE("Where K holds all fragments the picture is that of sorted lists") {
-  const std::optional<device_frame> sorted = draw(small_frame(order_method::selection_sort, 64));
+  const std::optional<device_frame> sorted = draw(ordered_frame(order_method::selection_sort, 64));
   if (!sorted) return;
-  CHECK(sorted->hash == draw(small_frame(order_method::k_buffer, 64))->hash);
-  CHECK(sorted->hash != draw(small_frame(order_method::k_buffer, 4))->hash);
+  CHECK(sorted->hash == draw(ordered_frame(order_method::k_buffer, 64))->hash);
+  CHECK(sorted->hash != draw(ordered_frame(order_method::k_buffer, 4))->hash);
 }
 
 constexpr blend_method without_lists[]{blend_method::order_weighted, blend_method::depth_peeling};
@@ -132,14 +104,14 @@ TEST_CASE("Blended and shadowed without lists, a device's picture is the process
     for (const bool antialias : {false, true}) {
       CAPTURE(static_cast<int>(blend));
       CAPTURE(antialias);
-      frame_settings settings = small_frame(order_method::k_buffer, 4);
+      frame_settings settings = ordered_frame(order_method::k_buffer, 4);
       settings.blend.method = blend;
       settings.shadow.method = shadow_method::occupancy;
       settings.antialias = antialias;
       const std::optional<device_frame> got = draw(settings, 10);
       if (!got) return;
       CHECK(got->same == got->frames);
-      const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
+      const frame_result expected = drawn_here(settings);
       CHECK(compare(got->picture, expected.picture).rms < 0.001);
       settings.shuffle = 5;
       CHECK(draw(settings)->hash == got->hash);
@@ -168,31 +140,31 @@ TEST_CASE("A slab's sum stops at its end: 128 opaque fragments make it 2^32, and
   settings.blend.method = blend_method::order_weighted;
   const std::optional<device_frame> got = draw(settings, 1, model);
   if (!got) return;
-  const frame_result expected = draw_frame(model, settings, [](const std::string&, double) {});
+  const frame_result expected = drawn_here(settings, 1, model);
   CHECK(got->views.back().longest == 129);
   CHECK(compare(got->picture, expected.picture).rms < 0.001);
 }
 
 TEST_CASE("A light so near, and a map so coarse, that a texel's disc is wider than its ray is long") {
-  frame_settings settings = small_frame(order_method::k_buffer, 4);
+  frame_settings settings = ordered_frame(order_method::k_buffer, 4);
   settings.map_size = 2;
   settings.lights = {{light_kind::point, {0.0F, 0.0F, 1.05F}, glm::vec3(0.0F), glm::vec3(1.0F)}};
   const std::optional<device_frame> got = draw(settings);
   if (!got) return;
-  const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
+  const frame_result expected = drawn_here(settings);
   const auto fragments = static_cast<double>(expected.passes.front().order.fragments);
   CHECK(static_cast<double>(got->views.front().offered) == doctest::Approx(fragments).epsilon(0.002));
   CHECK(compare(got->picture, expected.picture).rms < 0.001);
 }
 
 TEST_CASE("Light beyond the range of a pixel's sums is clamped to its end") {
-  frame_settings settings = small_frame(order_method::k_buffer, 4);
+  frame_settings settings = ordered_frame(order_method::k_buffer, 4);
   settings.shown = components::translucency;
   settings.blend.method = blend_method::order_weighted;
   settings.lights = {{light_kind::directional, glm::vec3(0.0F), {0.0F, 0.0F, -1.0F}, glm::vec3(1e5F)}};
   const std::optional<device_frame> got = draw(settings);
   if (!got) return;
-  const frame_result expected = draw_frame(small_hair(), settings, [](const std::string&, double) {});
+  const frame_result expected = drawn_here(settings);
   double sum = 0;
   for (std::size_t i = 0; i < expected.picture.pixels.size(); ++i) {
     const float right = expected.picture.pixels[i].r;
@@ -202,7 +174,7 @@ TEST_CASE("Light beyond the range of a pixel's sums is clamped to its end") {
 }
 
 TEST_CASE("All layers peeled are the picture of sorted lists") {
-  frame_settings settings = small_frame(order_method::selection_sort, 64);
+  frame_settings settings = ordered_frame(order_method::selection_sort, 64);
   const std::optional<device_frame> sorted = draw(settings);
   if (!sorted) return;
   settings.blend.method = blend_method::depth_peeling;
@@ -231,7 +203,7 @@ TEST_CASE("More layers than a frame has room for are refused, and said to be dep
 TEST_CASE("Occupancy maps shadow pixels made in any way") {
   for (const blend_method blend : {blend_method::k_buffer, blend_method::order_weighted, blend_method::depth_peeling}) {
     CAPTURE(static_cast<int>(blend));
-    frame_settings settings = small_frame(order_method::atomic_k_buffer, 64);
+    frame_settings settings = ordered_frame(order_method::atomic_k_buffer, 64);
     settings.blend.method = blend;
     const std::optional<device_frame> by_lists = draw(settings);
     if (!by_lists) return;
@@ -243,7 +215,7 @@ TEST_CASE("Occupancy maps shadow pixels made in any way") {
 }
 
 TEST_CASE("The order of drawing does not change a device's picture") {
-  frame_settings settings = small_frame(order_method::k_buffer, 4);
+  frame_settings settings = ordered_frame(order_method::k_buffer, 4);
   const std::optional<device_frame> one = draw(settings);
   if (!one) return;
   settings.shuffle = 5;
@@ -251,17 +223,17 @@ TEST_CASE("The order of drawing does not change a device's picture") {
 }
 
 TEST_CASE("What the shaders do not have is refused in one line") {
-  frame_settings settings = small_frame(order_method::full_sort, 8);
+  frame_settings settings = ordered_frame(order_method::full_sort, 8);
   CHECK(refusal(settings).find("--order full_sort") != std::string::npos);
-  settings = small_frame(order_method::k_buffer, 2);
+  settings = ordered_frame(order_method::k_buffer, 2);
   CHECK(refusal(settings).find("--k must be") != std::string::npos);
-  settings = small_frame(order_method::k_buffer, 8);
+  settings = ordered_frame(order_method::k_buffer, 8);
   settings.shadow.method = shadow_method::deep;
   CHECK(refusal(settings).find("--shadow") != std::string::npos);
-  settings = small_frame(order_method::k_buffer, 8);
+  settings = ordered_frame(order_method::k_buffer, 8);
   settings.blend.method = blend_method::stochastic;
   CHECK(refusal(settings).find("--blend") != std::string::npos);
-  settings = small_frame(order_method::full_sort, 8);
+  settings = ordered_frame(order_method::full_sort, 8);
   settings.blend.method = blend_method::order_weighted;
   CHECK(refusal(settings).find("--order full_sort") != std::string::npos);  // maps are made by it
   settings.shadow.method = shadow_method::occupancy;

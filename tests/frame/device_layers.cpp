@@ -4,60 +4,29 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "frame/fibres.hpp"
-#include "frame/model/built_in.hpp"
-#include "frame/vulkan/device_frame.hpp"
+#include "frame/on_device.hpp"
 
 namespace pelage::test {
 
-using namespace frame;
-
-const hair_model& small_hair() {
-  static const hair_model model = make_built_in(150, 12, 1);
-  return model;
-}
-
-frame_settings small_frame(const std::string& shadow, const std::string& blend) {
-  frame_settings s;
-  s.width = 56;
-  s.height = 44;
+frame_settings frame_by(const std::string& shadow, const std::string& blend) {
+  frame_settings s = small_frame();
   s.k = 8;
-  s.opacity = 0.4F;
-  s.fibre_radius = 0.02F;
-  s.on_bust = true;
-  s.shading_spacing = std::numeric_limits<float>::infinity();  // as shaders light segments
   s.shadow = parse_shadow(shadow);
   s.blend = parse_blend(blend);
   return s;
 }
 
-/// None, after one line, on a machine without a device, unless one is a must.
-std::optional<device_frame> draw(const frame_settings& settings, std::uint32_t frames, const hair_model& model) {
-  try {
-    return draw_frame_on_device(model, settings, frames);
-  } catch (const no_device& e) {
-    MESSAGE("not run: ", e.what());
-    CHECK(std::getenv("PELAGE_DEVICE_REQUIRED") == nullptr);
-    return std::nullopt;
-  }
-}
-
-image drawn_here(const frame_settings& settings, const hair_model& model) {
-  return draw_frame(model, settings, [](const std::string&, double) {}).picture;
-}
-
 /// A device's picture is the processor's except for rounding, and every frame and order of drawing gives its bits.
-void check_frame(frame_settings settings, const hair_model& model) {
+void check_frame(frame_settings settings, const hair_model& model = small_hair()) {
   const std::optional<device_frame> got = draw(settings, 3, model);
   if (!got) return;
   CHECK(got->same == got->frames);
-  CHECK(compare(got->picture, drawn_here(settings, model)).rms < 0.001);
+  CHECK(compare(got->picture, drawn_here(settings, 1, model).picture).rms < 0.001);
   settings.shuffle = 5;
   CHECK(draw(settings, 1, model)->hash == got->hash);
 }
@@ -71,18 +40,18 @@ const std::vector<std::string> blends{"weighted_average", "weighted_blended", "d
 TEST_CASE("Layered maps on a device shadow as the processor's do") {
   for (const std::string& shadow : shadows) {
     CAPTURE(shadow);
-    check_frame(small_frame(shadow, "k_buffer"), small_hair());
+    check_frame(frame_by(shadow, "k_buffer"));
   }
 }
 
 TEST_CASE("Where the layers of lines begin is what lines reach, on a device as on the processor") {
   for (const char* shadow : {"deep_opacity:4", "deep_opacity_growing:4"}) {
     CAPTURE(shadow);
-    frame_settings settings = small_frame(shadow, "k_buffer");
+    frame_settings settings = frame_by(shadow, "k_buffer");
     settings.fibre_radius = 0.03F;
     settings.drawn = primitive::line;
-    if (const auto got = draw(settings, 1, small_hair())) {
-      CHECK(compare(got->picture, drawn_here(settings, small_hair())).rms < 0.0004);
+    if (const auto got = draw(settings)) {
+      CHECK(compare(got->picture, drawn_here(settings).picture).rms < 0.0004);
     }
   }
 }
@@ -92,35 +61,35 @@ TEST_CASE("Blended without sorting, a device's picture is the processor's except
     for (const bool antialias : {false, true}) {
       CAPTURE(blend);
       CAPTURE(antialias);
-      frame_settings settings = small_frame("k_buffer", blend);
+      frame_settings settings = frame_by("k_buffer", blend);
       settings.antialias = antialias;
-      check_frame(settings, small_hair());
+      check_frame(settings);
     }
   }
 }
 
 TEST_CASE("Layers of the lights and of the camera lie beside each other, and beside occupancy maps") {
-  check_frame(small_frame("deep_opacity:16", "deep_opacity:32"), small_hair());
-  check_frame(small_frame("opacity:128", "weighted_average"), small_hair());
-  check_frame(small_frame("occupancy", "deep_opacity_corrected:8"), small_hair());
-  check_frame(small_frame("deep_opacity_growing:4", "order_weighted"), small_hair());
-  check_frame(small_frame("deep_opacity:4", "depth_peeling"), small_hair());
-  frame_settings settings = small_frame("deep_opacity:16", "deep_opacity:32");
+  check_frame(frame_by("deep_opacity:16", "deep_opacity:32"));
+  check_frame(frame_by("opacity:128", "weighted_average"));
+  check_frame(frame_by("occupancy", "deep_opacity_corrected:8"));
+  check_frame(frame_by("deep_opacity_growing:4", "order_weighted"));
+  check_frame(frame_by("deep_opacity:4", "depth_peeling"));
+  frame_settings settings = frame_by("deep_opacity:16", "deep_opacity:32");
   settings.shown = components::translucency;
-  check_frame(settings, small_hair());
+  check_frame(settings);
   settings.shown = components::single;
   settings.antialias = false;  // at edges the processor has layers of the nearer part alone
-  check_frame(settings, small_hair());
+  check_frame(settings);
 }
 
 TEST_CASE("Each of these methods has a picture of its own") {
-  const std::optional<device_frame> first = draw(small_frame("k_buffer", "k_buffer"), 1, small_hair());
+  const std::optional<device_frame> first = draw(frame_by("k_buffer", "k_buffer"));
   if (!first) return;
   std::vector<std::uint64_t> seen{first->hash};
   const auto add = [&](const std::string& shadow, const std::string& blend) {
     CAPTURE(shadow);
     CAPTURE(blend);
-    const std::uint64_t hash = draw(small_frame(shadow, blend), 1, small_hair())->hash;
+    const std::uint64_t hash = draw(frame_by(shadow, blend))->hash;
     CHECK(std::find(seen.begin(), seen.end(), hash) == seen.end());
     seen.push_back(hash);
   };
@@ -144,7 +113,7 @@ TEST_CASE("A layer's sum stops at its end: 128 opaque fragments make it 2^32, an
   const auto check = [&](const std::string& shadow, const std::string& blend) {
     CAPTURE(shadow);
     CAPTURE(blend);
-    frame_settings settings = small_frame(shadow, blend);
+    frame_settings settings = frame_by(shadow, blend);
     settings.width = settings.height = 24;
     settings.opacity = settings.fibre_radius = -1.0F;
     settings.on_bust = false;
