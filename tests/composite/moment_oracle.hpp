@@ -33,6 +33,16 @@ inline std::vector<absorber> draw_absorbers(std::size_t least, std::size_t most)
   return all;
 }
 
+/// Of absorbers put in one after the other.
+template <class Moments>
+Moments moments_of(const std::vector<absorber>& all) {
+  auto moments = Moments::empty();
+  for (const absorber& each : all) {
+    moments.add(each.relative, each.amount);
+  }
+  return moments;
+}
+
 inline long double position_of(const absorber& each) {
   return std::min(1.0L, std::max(-1.0L, 2.0L * each.relative - 1.0L));
 }
