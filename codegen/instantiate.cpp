@@ -73,6 +73,8 @@
 #include <pelage/order/slice_pieces.hpp>
 #include <pelage/order/sorting_network.hpp>
 #include <pelage/order/split_k_buffer.hpp>
+#include <pelage/order/unrolled_list.hpp>
+#include <pelage/order/unrolled_walk.hpp>
 #include <pelage/visibility/deep_shadow_map.hpp>
 #include <pelage/visibility/deep_shadow_vertex.hpp>
 #include <pelage/visibility/density_clusters.hpp>
@@ -173,6 +175,11 @@ template std::uint32_t link_of(const atomic_list_storage&, std::uint32_t) noexce
 template fragment a_buffer::push(atomic_list_storage&, std::uint32_t, fragment) noexcept;
 template std::uint32_t a_buffer::first(const atomic_list_storage&, std::uint32_t) noexcept;
 template std::uint32_t a_buffer::next(const atomic_list_storage&, std::uint32_t) noexcept;
+template unrolled_list::node_block unrolled_list::take(atomic_list_storage&, std::uint32_t) noexcept;
+template void unrolled_list::push(atomic_list_storage&, std::uint32_t, node_block) noexcept;
+template std::uint32_t unrolled_list::first(const atomic_list_storage&, std::uint32_t) noexcept;
+template std::uint32_t unrolled_list::next(const atomic_list_storage&, std::uint32_t) noexcept;
+template void unrolled_walk::go_to(const atomic_list_storage&, const subgroup&, std::uint32_t) noexcept;
 template fragment ordered_list::insert(atomic_list_storage&, std::uint32_t, fragment, std::uint32_t) noexcept;
 template std::uint32_t ordered_list::first(const atomic_list_storage&, std::uint32_t) noexcept;
 template std::uint32_t ordered_list::next(const atomic_list_storage&, std::uint32_t) noexcept;

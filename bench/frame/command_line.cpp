@@ -19,6 +19,7 @@ namespace {
 
 const std::map<std::string, order_method> order_names{{"k_buffer", order_method::k_buffer},
                                                       {"a_buffer", order_method::a_buffer},
+                                                      {"unrolled_list", order_method::unrolled_list},
                                                       {"ordered_list", order_method::ordered_list},
                                                       {"atomic_k_buffer", order_method::atomic_k_buffer},
                                                       {"split_k_buffer", order_method::split_k_buffer},

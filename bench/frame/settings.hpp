@@ -21,8 +21,8 @@
 namespace pelage::frame {
 
 /// What to draw and how. A model and its settings determine the picture, bit for bit: neither the number of threads,
-/// nor the drawing order, nor the choice among k_buffer, a_buffer, ordered_list, atomic_k_buffer, split_k_buffer and
-/// partial_selection_sort changes it.
+/// nor the drawing order, nor the choice among k_buffer, a_buffer, unrolled_list, ordered_list, atomic_k_buffer,
+/// split_k_buffer and partial_selection_sort changes it.
 struct frame_settings {
   int width = 640;  ///< pixels, [1, 16384]
   int height = 640;

@@ -53,6 +53,12 @@ void found_in_a_buffer(std::string_view name, std::string_view as, const list_wo
 }
 
 template <class Storage>
+void found_in_unrolled_list(std::string_view name, std::string_view as, list_work work) {
+  work.block = 2;
+  expect_found("unrolled_list: " + std::string(name), as, list_test<block_inserts, Storage>(work));
+}
+
+template <class Storage>
 void sound(std::string_view name, const list_work& work) {
   expect_sound(name, list_test<ordered_inserts, Storage>(work));
 }
@@ -98,6 +104,20 @@ TEST_CASE("a_buffer: each fault is found") {
                                                            small_then_reader());
 }
 
+TEST_CASE("unrolled_list: each fault is found") {
+  found_in_unrolled_list<unbounded_counter>("(1) the pool's counter has no bound", "the pool's counter goes more",
+                                            full_pool());
+  found_in_unrolled_list<counter_in_two_steps>("(2) the pool's counter in two steps", "race on node", small());
+  found_in_unrolled_list<head_in_two_steps>("(3) the head in two steps", "a fragment is lost", small());
+  found_in_unrolled_list<unlinked>("(4) the last node's link left out", "", small());
+  found_in_unrolled_list<with_barrier<missing_barrier>>("no barrier before the reader", "race on node",
+                                                        small_then_reader());
+  found_in_unrolled_list<with_barrier<barrier_arriving_relaxed>>("the barrier arrives relaxed", "race on node",
+                                                                 small_then_reader());
+  found_in_unrolled_list<with_barrier<barrier_waiting_relaxed>>("the barrier waits relaxed", "race on node",
+                                                                small_then_reader());
+}
+
 TEST_CASE("correct variants are not reported") {
   sound<watched_lists>("the library's orders, with a reader", small_with_reader());
   sound<publishes_acq_rel>("(3) acq_rel", small_with_reader());
@@ -112,6 +132,12 @@ TEST_CASE("correct variants are not reported") {
   expect_sound("a_buffer with a counted barrier",
                list_test<unordered_inserts, with_barrier<sound_barrier>>(small_then_reader()));
   expect_sound("a_buffer, a pool that is full", list_test<unordered_inserts>(full_pool()));
+  list_work blocks = small_then_reader();
+  blocks.block = 2;
+  expect_sound("unrolled_list with a counted barrier", list_test<block_inserts, with_barrier<sound_barrier>>(blocks));
+  blocks = full_pool();
+  blocks.block = 3;
+  expect_sound("unrolled_list, a pool that is full", list_test<block_inserts>(blocks));
 }
 
 }  // namespace

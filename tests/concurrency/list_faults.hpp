@@ -168,6 +168,11 @@ struct counter_in_two_steps : aware {
     aware::store_taken(taken + 1u);
     return taken;
   }
+  std::uint32_t add_taken_nodes(std::uint32_t count, order o) {
+    const std::uint32_t taken = aware::load_taken(o);
+    aware::store_taken(taken + count);
+    return taken;
+  }
 };
 
 /// Counts refused fragments by a load and a store.

@@ -3,6 +3,7 @@
 #pragma once
 #include <pelage/order/a_buffer.hpp>
 #include <pelage/order/ordered_list.hpp>
+#include <pelage/order/unrolled_list.hpp>
 
 #include "concurrency/inserts.hpp"
 #include "concurrency/watched_lists.hpp"
@@ -11,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -27,6 +29,7 @@ struct list_work {
   pool nodes = pool::shared;
   std::uint32_t capacity = 0xffffffffu;  ///< of the pool; by default as many as there are inserts
   std::uint32_t limit = ordered_list::unlimited();
+  std::uint32_t block = 1;  ///< inserts at once, of the structure that takes several
 };
 
 inline std::vector<fragment> all_of(const list_work& work) {
@@ -48,6 +51,10 @@ struct ordered_inserts {
   static fragment insert(Storage& storage, fragment f, std::uint32_t limit) {
     return ordered_list::insert(storage, 0u, f, limit);
   }
+  template <class Storage>
+  static std::uint32_t next(const Storage& storage, std::uint32_t node) {
+    return ordered_list::next(storage, node);
+  }
 };
 
 /// The same for the library's a_buffer.
@@ -57,6 +64,40 @@ struct unordered_inserts {
   static fragment insert(Storage& storage, fragment f, std::uint32_t) {
     return a_buffer::push(storage, 0u, f);
   }
+  template <class Storage>
+  static std::uint32_t next(const Storage& storage, std::uint32_t node) {
+    return a_buffer::next(storage, node);
+  }
+};
+
+/// The library's unrolled_list, to which a thread pushes several fragments at once.
+struct block_inserts {
+  static constexpr bool sorted = false;
+  /// How many of the fragments, the first ones, are in the list; the others are counted.
+  template <class Storage>
+  static std::uint32_t insert_block(Storage& storage, std::span<const fragment> some) {
+    const auto wanted = static_cast<std::uint32_t>(some.size());
+    const unrolled_list::node_block block = unrolled_list::take(storage, wanted);
+    for (std::uint32_t i = 0; i < wanted; ++i) {
+      if (i < block.size) {
+        storage.write_node(block.first + i, some[i]);
+      } else {
+        storage.add_refused(std::memory_order_relaxed);
+      }
+    }
+    unrolled_list::push(storage, 0u, block);
+    return block.size;
+  }
+  template <class Storage>
+  static std::uint32_t next(const Storage& storage, std::uint32_t node) {
+    return unrolled_list::next(storage, node);
+  }
+};
+
+/// An algorithm whose inserts come in blocks.
+template <class Algorithm>
+concept takes_blocks = requires(watched_lists& storage, std::span<const fragment> some) {
+  Algorithm::insert_block(storage, some);
 };
 
 /// Inserts and readers on one list, and everything that the library promises of it.
@@ -118,6 +159,7 @@ class list_program : public program {
   }
 
   void insert_all(std::size_t t);
+  void insert_blocks(std::size_t t);
   void read(walk& walked);
   void read_twice();
   void check_order(const walk& walked);
@@ -143,13 +185,17 @@ program_factory list_test(const list_work& work) {
 
 template <class Algorithm, class Storage>
 void list_program<Algorithm, Storage>::insert_all(std::size_t t) {
-  for (const fragment f : work_.inserts[t]) {
-    const fragment back = Algorithm::insert(storage_, f, work_.limit);
-    const bool entered = !is_fragment(back) && back.depth == no_fragment().depth;
-    expect(entered || same(back, f), "an insert returns neither none nor what was offered");
-    ++own_[t];
-    returned_[t] += entered ? 0u : 1u;
-    completed();
+  if constexpr (takes_blocks<Algorithm>) {
+    insert_blocks(t);
+  } else {
+    for (const fragment f : work_.inserts[t]) {
+      const fragment back = Algorithm::insert(storage_, f, work_.limit);
+      const bool entered = !is_fragment(back) && back.depth == no_fragment().depth;
+      expect(entered || same(back, f), "an insert returns neither none nor what was offered");
+      ++own_[t];
+      returned_[t] += entered ? 0u : 1u;
+      completed();
+    }
   }
   storage_.done();
   if (work_.walks) {
@@ -164,6 +210,19 @@ void list_program<Algorithm, Storage>::insert_all(std::size_t t) {
 }
 
 template <class Algorithm, class Storage>
+void list_program<Algorithm, Storage>::insert_blocks(std::size_t t) {
+  std::span<const fragment> left = work_.inserts[t];
+  while (!left.empty()) {
+    const std::size_t size = std::min<std::size_t>(work_.block, left.size());
+    const std::uint32_t entered = Algorithm::insert_block(storage_, left.first(size));
+    own_[t] += static_cast<std::uint32_t>(size);
+    returned_[t] += static_cast<std::uint32_t>(size) - entered;
+    left = left.subspan(size);
+    completed();
+  }
+}
+
+template <class Algorithm, class Storage>
 void list_program<Algorithm, Storage>::read(walk& walked) {
   std::uint32_t node = ordered_list::first(storage_, 0u);
   while (node != no_node()) {
@@ -172,7 +231,7 @@ void list_program<Algorithm, Storage>::read(walk& walked) {
       return;
     }
     walked.seen[walked.length++] = storage_.read_node(node);
-    node = ordered_list::next(storage_, node);
+    node = Algorithm::next(storage_, node);
   }
 }
 
@@ -229,8 +288,8 @@ void list_program<Algorithm, Storage>::check_content(const walk& walked) {
     }
   }
   if (work_.nodes == pool::shared) {
-    expect(storage_.load_taken(std::memory_order_relaxed) <= capacity + work_.inserts.size(),
-           "the pool's counter goes more than one a thread beyond the pool");
+    expect(storage_.load_taken(std::memory_order_relaxed) <= capacity + work_.block * work_.inserts.size(),
+           "the pool's counter goes more than one insert a thread beyond the pool");
   }
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 //
-// a_buffer and ordered_list under every schedule of small cases.
+// a_buffer, unrolled_list and ordered_list under every schedule of small cases.
 #include "concurrency/list_program.hpp"
 #include "concurrency/patterns.hpp"
 #include "concurrency/report.hpp"
@@ -87,19 +87,30 @@ TEST_CASE("ordered_list: a pool that is too small keeps the list whole and gives
   }
 }
 
-TEST_CASE("a_buffer: every fragment is there for a reader behind the barrier") {
-  const auto make = [](pool nodes) {
-    return [nodes](const inserts& all) {
-      list_work work;
-      work.inserts = all;
-      work.nodes = nodes;
-      work.joined_reader = true;
-      return list_test<unordered_inserts>(work);
-    };
+template <class Algorithm>
+auto make_unsorted_list(pool nodes, std::uint32_t block = 1) {
+  return [=](const inserts& all) {
+    list_work work;
+    work.inserts = all;
+    work.nodes = nodes;
+    work.joined_reader = true;
+    work.block = block;
+    return list_test<Algorithm>(work);
   };
-  explore_patterns("a_buffer 3x2", 3, 2, make(pool::apart));
-  explore_patterns("a_buffer 2x3", 2, 3, make(pool::apart));
-  explore_patterns("a_buffer 2x2, one pool", 2, 2, make(pool::shared));
+}
+
+TEST_CASE("a_buffer: every fragment is there for a reader behind the barrier") {
+  explore_patterns("a_buffer 3x2", 3, 2, make_unsorted_list<unordered_inserts>(pool::apart));
+  explore_patterns("a_buffer 2x3", 2, 3, make_unsorted_list<unordered_inserts>(pool::apart));
+  explore_patterns("a_buffer 2x2, one pool", 2, 2, make_unsorted_list<unordered_inserts>(pool::shared));
+}
+
+TEST_CASE("unrolled_list: every fragment is there for a reader behind the barrier, whatever the blocks") {
+  explore_patterns("unrolled_list 3x2, blocks of 2", 3, 2, make_unsorted_list<block_inserts>(pool::apart, 2));
+  explore_patterns("unrolled_list 2x3, blocks of 2 and 1", 2, 3, make_unsorted_list<block_inserts>(pool::apart, 2));
+  explore_patterns("unrolled_list 2x2, one pool", 2, 2, make_unsorted_list<block_inserts>(pool::shared, 1));
+  explore_patterns("unrolled_list 3x2, blocks of 2, one pool", 3, 2,
+                   make_unsorted_list<block_inserts>(pool::shared, 2));
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ void sample_sound(std::string_view name) {
 }
 
 TEST_CASE("drawn workloads under drawn schedules hold what the structures promise") {
-  for (const std::string_view name : {"a_buffer", "ordered_list", "atomic_k_buffer", "split_k_buffer"}) {
+  for (const std::string_view name :
+       {"a_buffer", "unrolled_list", "ordered_list", "atomic_k_buffer", "split_k_buffer"}) {
     sample_sound(name);
   }
 }
@@ -88,7 +89,8 @@ TEST_CASE("inserts are read as they are written, and nothing else is") {
 TEST_CASE("larger cases hold under every schedule of few surprises") {
   const inserts eight = {
       {{3.0f, 0u}, {1.0f, 1u}}, {{2.0f, 3u}, {1.0f, 4u}, {3.0f, 5u}}, {{1.0f, 6u}, {2.0f, 7u}}, {{3.0f, 8u}}};
-  for (const std::string_view name : {"a_buffer", "ordered_list", "atomic_k_buffer", "split_k_buffer"}) {
+  for (const std::string_view name :
+       {"a_buffer", "unrolled_list", "ordered_list", "atomic_k_buffer", "split_k_buffer"}) {
     const int surprises = name == "ordered_list" ? 1 : 2;  // its reader makes it the longest
     const findings f = report(std::string(name) + " 2+3+2+1, surprises: " + std::to_string(surprises),
                               [&] { return explore_bounded(named(name).test(eight), surprises); });

@@ -27,6 +27,15 @@ program_factory list_and_reader(const inserts& work) {
   return list_test<Algorithm, Storage>(list);
 }
 
+/// Lists of blocks of two.
+inline program_factory blocks_and_reader(const inserts& work) {
+  list_work list;
+  list.inserts = work;
+  list.joined_reader = true;
+  list.block = 2;
+  return list_test<block_inserts>(list);
+}
+
 template <class Buffer>
 program_factory slots_of(const inserts& work) {
   return slot_test<Buffer>()(work);
@@ -35,6 +44,7 @@ program_factory slots_of(const inserts& work) {
 /// What can be drawn at random and replayed by name; the last three with a fault planted, to see one.
 inline constexpr std::array structures = {
     structure{"a_buffer", &list_and_reader<unordered_inserts>},
+    structure{"unrolled_list", &blocks_and_reader},
     structure{"ordered_list", &list_and_reader<ordered_inserts>},
     structure{"atomic_k_buffer", &slots_of<one_pass<2>>},
     structure{"cascade_k_buffer", &slots_of<cascade<2>>},

@@ -1,13 +1,14 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <pelage/order/list_storage.hpp>
+#include <pelage/order/unrolled_list.hpp>
 
 #include <pelage/explore/watched.hpp>
 
 #include <cstdint>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pelage::explore {
@@ -70,6 +71,13 @@ class watched_lists {
     const auto t = static_cast<std::uint32_t>(world::current().thread());
     return t * share_ + own_taken_[t]++;
   }
+  std::uint32_t add_taken_nodes(std::uint32_t count, std::memory_order order) {
+    if (pool_ == pool::shared) {
+      return taken_.fetch_add(count, order);
+    }
+    const auto t = static_cast<std::uint32_t>(world::current().thread());
+    return t * share_ + std::exchange(own_taken_[t], own_taken_[t] + count);
+  }
   void add_refused(std::memory_order order) { refused_.fetch_add(1u, order); }
 
   void store_taken(std::uint32_t count) { taken_.store(count, std::memory_order_relaxed); }
@@ -110,7 +118,7 @@ class watched_lists {
   std::vector<std::uint32_t> own_taken_;
 };
 
-static_assert(list_storage<watched_lists>);
+static_assert(unrolled_list::block_storage<watched_lists>);
 
 inline std::string watched_lists::draw() const {
   std::ostringstream text;

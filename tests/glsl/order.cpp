@@ -3,6 +3,7 @@
 #include <pelage/order/a_buffer.hpp>
 #include <pelage/order/k_buffer.hpp>
 #include <pelage/order/ordered_list.hpp>
+#include <pelage/order/unrolled_list.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -212,6 +213,61 @@ TEST_CASE("A full pool keeps every unsorted list intact and counts what it refus
   for (std::uint32_t l = 0; l < 128U; ++l)
     held += built.list(l).size();
   CHECK(held == 10000U);
+}
+
+/// Runs a kernel on lists of blocks and what a reader finds of each, `each` words.
+std::vector<std::uint32_t> run_on_blocks(frame& built, const kernel& k, std::uint32_t invocations, std::size_t each) {
+  std::vector<std::uint32_t> places(each * built.offers[1], no_node());
+  std::vector<std::uint32_t>* const buffers[] = {&built.offers, &built.links, &built.nodes, &built.counters, &places};
+  the_device()->run(k, invocations, buffers);
+  return places;
+}
+
+/// The nodes of a list of blocks.
+std::vector<std::uint32_t> nodes_of(frame& built, std::uint32_t list) {
+  std::vector<fragment> unread(built.nodes.size() / 2);
+  const atomic_list_storage storage{built.links, unread, &built.counters[0], &built.counters[1]};
+  std::vector<std::uint32_t> nodes;
+  std::uint32_t n = unrolled_list::first(storage, list);
+  for (; n != no_node() && nodes.size() <= unread.size(); n = unrolled_list::next(storage, n))
+    nodes.push_back(n);
+  return nodes;
+}
+
+TEST_CASE("Lists of blocks that many invocations build at once hold what was pushed, and subgroups read them whole") {
+  for (const std::uint32_t lists : {4096U, 64U, 1U}) {
+    for (const std::uint32_t capacity : {30000U, 10000U}) {
+      CAPTURE(lists);
+      CAPTURE(capacity);
+      const std::vector<fragment> fragments = many(lists, 30000U, 1000U);
+      frame built(lists, capacity, 0U, fragments);
+      (void)run_on_blocks(built, kernels::unrolled_list, 30000U + 5U * lists, 1);
+      CHECK(built.counters[1] == 30000U - capacity);
+      std::vector<std::uint32_t> seen;
+      std::vector<std::vector<std::uint32_t>> nodes;
+      for (std::uint32_t l = 0; l < lists; ++l) {
+        nodes.push_back(nodes_of(built, l));
+        for (const std::uint32_t n : nodes.back()) {
+          const std::uint32_t id = built.nodes[2 * std::size_t{n} + 1];
+          REQUIRE(id % lists == l);
+          seen.push_back(id);
+        }
+      }
+      std::sort(seen.begin(), seen.end());
+      CHECK(seen.size() == capacity);
+      CHECK(std::unique(seen.begin(), seen.end()) == seen.end());
+
+      const std::size_t each = 30000U / lists + 1;
+      const std::vector<std::uint32_t> places =
+          run_on_blocks(built, kernels::unrolled_list_read, lists * the_device()->subgroup(), each);
+      bool equal = true;
+      for (std::uint32_t l = 0; l < lists; ++l) {
+        const auto first = places.begin() + static_cast<std::ptrdiff_t>(each * l);
+        equal = equal && std::equal(nodes[l].begin(), nodes[l].end(), first);
+      }
+      CHECK(equal);
+    }
+  }
 }
 
 }  // namespace pelage::test

@@ -15,6 +15,7 @@ void run_k_buffer(order_job& work, std::uint32_t k);
 
 // list_methods.cpp
 void run_a_buffer(order_job& work, std::uint32_t k);
+void run_unrolled_list(order_job& work, std::uint32_t k);
 void run_ordered_list(order_job& work, std::uint32_t k);
 void run_partial_selection_sort(order_job& work, std::uint32_t k);
 void run_selection_sort(order_job& work);

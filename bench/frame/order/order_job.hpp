@@ -71,19 +71,31 @@ struct order_job {
     });
   }
 
-  /// Calls `visit(x, y, fragment)` for all fragments in no order, from all threads.
+  /// Calls `visit(segments)` for all segments, some at a time, from all threads.
   template <class Visit>
-  void for_each_fragment(Visit&& visit) const {
+  void for_each_batch(Visit&& visit) const {
     const tbb::blocked_range<std::uint32_t> all(0, from.fibres().segment_count(), 4096);
-    const pixel_rect whole{0, 0, from.from().width, from.from().height};
     tbb::parallel_for(all, [&](const tbb::blocked_range<std::uint32_t>& some) {
       std::vector<std::uint32_t> segments(some.size());
       std::iota(segments.begin(), segments.end(), some.begin());
       if (!drawing_order.empty()) {
         std::copy_n(drawing_order.begin() + some.begin(), some.size(), segments.begin());
       }
-      for_each_visible(segments, whole, [&](int x, int y, const pixel_fragment& f) { visit(x, y, fragment_of(f)); });
+      visit(std::span<const std::uint32_t>(segments));
     });
+  }
+
+  /// Calls `visit(x, y, fragment)` for the fragments of some segments.
+  template <class Visit>
+  void for_each_fragment_of(std::span<const std::uint32_t> segments, Visit&& visit) const {
+    const pixel_rect whole{0, 0, from.from().width, from.from().height};
+    for_each_visible(segments, whole, [&](int x, int y, const pixel_fragment& f) { visit(x, y, fragment_of(f)); });
+  }
+
+  /// Calls `visit(x, y, fragment)` for all fragments in no order, from all threads.
+  template <class Visit>
+  void for_each_fragment(Visit&& visit) const {
+    for_each_batch([&](std::span<const std::uint32_t> segments) { for_each_fragment_of(segments, visit); });
   }
 
   template <class Visit>

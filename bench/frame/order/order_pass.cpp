@@ -30,6 +30,9 @@ order_report run_order_pass(const raster& from, std::span<const float> limit, co
     case order_method::a_buffer:
       run_a_buffer(work, options.k);
       break;
+    case order_method::unrolled_list:
+      run_unrolled_list(work, options.k);
+      break;
     case order_method::ordered_list:
       run_ordered_list(work, options.k);
       break;

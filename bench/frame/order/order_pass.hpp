@@ -17,7 +17,8 @@ namespace pelage::frame {
 enum class order_method {
   k_buffer,                ///< the K nearest, built tile by tile as fragments arrive
   a_buffer,                ///< all fragments in lists that threads build at once, then the K nearest [Yu12 §5.1]
-  ordered_list,            ///< the same with lists that are sorted while they are built [Yu12 §5.2]
+  unrolled_list,           ///< the same with lists of blocks, one for what a batch leaves in a pixel
+  ordered_list,            ///< as a_buffer with lists that are sorted while they are built [Yu12 §5.2]
   atomic_k_buffer,         ///< the K nearest, built by all threads with 64-bit atomics; cascade_k_buffer on a device
   split_k_buffer,          ///< the same with 32-bit atomics, depths before ids
   partial_selection_sort,  ///< all fragments in lists, each sorted by selection up to the K-th

@@ -40,6 +40,13 @@ plan plan_by_order(const frame_settings& s, bool camera) {
       p.finish = {{"resolve_lists_" + sink + "_" + k + tail, over::pixels}};
       p.lists = 1;
       return p;
+    case order_method::unrolled_list:
+      p.clear = {links};
+      p.build = {{"push_blocks", over::segments}};
+      p.finish = {{"resolve_blocks_" + sink + "_" + k + tail, over::subgroups}};
+      p.records = true;
+      p.lists = 1;
+      return p;
     case order_method::ordered_list:
       p.clear = {links};
       p.build = {{"insert_ordered", over::segments}};

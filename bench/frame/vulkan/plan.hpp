@@ -30,7 +30,7 @@ struct plan {
   std::vector<pass> finish;  ///< last: takes them out
   bool pool;                 ///< the structure holds each fragment
   bool runs;                 ///< in runs, and its passes work for several views at once
-  bool records;              ///< the camera's of records
+  bool records;              ///< the camera's fragments are records
   bool whole;                ///< a light's texels keep all of theirs
   std::uint32_t lists;       ///< a pixel; 0: the pool is cut into runs
   std::uint32_t slots;       ///< of 8 bytes a pixel

@@ -251,8 +251,8 @@ void session::measure() {
   counted_ = run_and_read(steps);
 }
 
-/// Gives each view its part of the pool and of the stamps. Runs lie one view's behind another's, except for the
-/// camera's records, which have memory of their own; lists have the pool to themselves, one view after another.
+/// Gives each view its part of the pool and of the stamps. Runs lie one view's behind another's; lists have
+/// the pool to themselves, one view after another. The camera's records have memory of their own.
 void session::make_room() {
   std::uint64_t stamps = 0;
   std::uint64_t places = 0;
@@ -261,11 +261,13 @@ void session::make_room() {
     const plan& p = plan_for(v);
     const view_report& most = counted_[v];
     const std::uint64_t taken = most.with_carries(most.taken);
+    const bool has_records = p.records && v == camera();
     if (!p.runs) {
-      places = std::max(places, taken);
+      std::uint64_t& of_lists = has_records ? records : places;
+      of_lists = std::max(of_lists, taken);
       continue;
     }
-    if (p.records && v == camera()) {
+    if (has_records) {
       records = taken;
     } else {
       constants_.views[v].first_place = static_cast<std::uint32_t>(places);

@@ -83,6 +83,9 @@ struct atomic_list_storage {
   [[nodiscard]] std::uint32_t add_taken(std::memory_order order) noexcept {
     return std::atomic_ref(*taken).fetch_add(1u, order);
   }
+  [[nodiscard]] std::uint32_t add_taken_nodes(std::uint32_t count, std::memory_order order) noexcept {
+    return std::atomic_ref(*taken).fetch_add(count, order);
+  }
   void add_refused(std::memory_order order) noexcept { std::atomic_ref(*refused).fetch_add(1u, order); }
 
   [[nodiscard]] fragment read_node(std::uint32_t node) const noexcept { return nodes[node]; }

@@ -17,5 +17,6 @@ uint view_pixels() {
 #define PELAGE_ATOMIC_LIST_STORAGE_REFUSED reports[this_view()].refused
 #include "pelage/glsl/order/a_buffer.glsl"
 #include "pelage/glsl/order/ordered_list.glsl"
+#include "pelage/glsl/order/unrolled_list.glsl"
 
 #endif

@@ -1,23 +1,36 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// The picture from the camera's runs: the K nearest fragments of each pixel in order, the rest as one layer behind
-// them, or with TRUNCATED nowhere, over the background. In: runs, counts, records, shaded, edges, picture. Out: picture. One subgroup a
-// pixel; bounded by the scattered loads of the radiance at the two ends of each fragment's segment.
+// The picture from the camera's runs, or with BLOCKS from lists: the K nearest fragments of each pixel in order, the rest
+// as one layer behind them, or with TRUNCATED nowhere, over the background. In: runs, counts or links, records, shaded,
+// edges, picture. Out: picture. One subgroup a pixel; bounded by the scattered loads of the radiance at the two ends of
+// each fragment's segment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_shuffle : require
+#ifdef BLOCKS
+#include "block_walk.glsl"
+#else
 #include "selection.glsl"
+#endif
 #include "camera_sink.glsl"
 
 pelage_fragment fragment_at(uint i) {
   return pelage_fragment(uintBitsToFloat(records[i].x), records[i].y);
 }
 
-/// Takes in the run [begin, end).
-void select_from(uint begin, uint end) {
+#ifdef BLOCKS
+void note(pelage_fragment f) {}
+#else
+/// Takes in a pixel's run. How many fragments it has.
+uint select_from(uint pixel) {
+  const uint begin = runs[pixel].x;
+  const uint end = min(counts[pixel], runs[pixel].y);
+  if (begin == end) {
+    return 0u;
+  }
   pelage_group_select_clear(nearest, uint(K));
   if (end - begin > lanes) {
     for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
@@ -26,7 +39,9 @@ void select_from(uint begin, uint end) {
     pelage_group_select_limit(nearest);
   }
   insert_run(begin, end);
+  return end - begin;
 }
+#endif
 
 /// What a record tells of its fragment.
 seen_fibre see_record(uvec4 record) {
@@ -55,29 +70,52 @@ pelage_tail sum_over_lanes(pelage_tail t) {
   return t;
 }
 
+void put_if_behind(uvec4 record) {
+  if (pelage_group_select_is_behind(nearest, pelage_fragment(uintBitsToFloat(record.x), record.y))) {
+    sink_put_behind(see_record(record));
+  }
+}
+
+/// Puts what is not kept behind.
+void put_rest_behind(uint pixel) {
+#ifdef BLOCKS
+  pelage_unrolled_walk walk = walk_from(pixel);
+  while (walk.size > 0u) {
+    const uvec4 record = records[own_place(walk)];
+    const bool is_mine = has_own(walk);
+    pelage_unrolled_walk_go_to(walk, walk.then);
+    if (is_mine) {
+      put_if_behind(record);
+    }
+  }
+#else
+  const uint end = min(counts[pixel], runs[pixel].y);
+  for (uint i = runs[pixel].x + gl_SubgroupInvocationID; i < end; i += lanes) {
+    put_if_behind(records[i]);
+  }
+#endif
+}
+
 void main() {
   const ivec2 at = pixel_of_subgroup();
   if (!is_inside(at)) {
     return;
   }
+#ifdef BLOCKS
+  const uint pixel = index_of(at);
+#else
   const uint pixel = VIEW.first_pixel + index_of(at);
-  const uint begin = runs[pixel].x;
-  const uint end = min(counts[pixel], runs[pixel].y);
-  if (begin == end) {
+#endif
+  const uint count = select_from(pixel);
+  if (count == 0u) {
     return;  // the background is there already
   }
-  select_from(begin, end);
   const uint held = pelage_group_select_held(nearest);
   sink_begin(at, false);
   add_nearest(held);
 #ifndef TRUNCATED
-  if (end - begin > held) {
-    for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
-      const uvec4 record = records[i];
-      if (pelage_group_select_is_behind(nearest, pelage_fragment(uintBitsToFloat(record.x), record.y))) {
-        sink_put_behind(see_record(record));
-      }
-    }
+  if (count > held) {
+    put_rest_behind(pixel);
     sink_before = sum_over_lanes(sink_before);
     if (subgroupBallot(sink_behind.optical != 0u || sink_behind.weight != 0u) != uvec4(0u)) {
       sink_behind = sum_over_lanes(sink_behind);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// A light's map from its runs: the K nearest of each texel with the optical depth up to and including each, then the
-// sum, the mean and the farthest depth of the rest. In: runs, counts, pool. Out: entries, texels. One subgroup a texel; bounded
-// by the sorting networks' shuffles.
+// A light's map from its runs, or with BLOCKS from lists: the K nearest of each texel with the optical depth up to and
+// including each, then the sum, the mean and the farthest depth of the rest. In: runs, counts or links, pool. Out: entries,
+// texels. One subgroup a texel; bounded by the sorting networks' shuffles.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -10,7 +10,11 @@
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_shuffle : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#ifdef BLOCKS
+#include "block_walk.glsl"
+#else
 #include "selection.glsl"
+#endif
 #include "pelage/glsl/composite/optical_depth.glsl"
 #include "texel.glsl"
 
@@ -25,7 +29,7 @@ pelage_fragment fragment_at(uint i) {
   return pool[i];
 }
 
-void sum(pelage_fragment f) {
+void note(pelage_fragment f) {
   uint carry;
   low_sum = uaddCarry(low_sum, f.id, carry);
   high_sum += carry;
@@ -33,18 +37,23 @@ void sum(pelage_fragment f) {
   farthest = max(farthest, f.depth);
 }
 
-/// Takes in the run [begin, end), and sums it.
-void select_from(uint begin, uint end) {
+#ifndef BLOCKS
+/// Takes in a pixel's run, and notes what this lane reads of it. How many fragments it has.
+uint select_from(uint pixel) {
+  const uint begin = runs[pixel].x;
+  const uint end = min(counts[pixel], runs[pixel].y);
   pelage_group_select_clear(nearest, uint(K));
   for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
-    sum(pool[i]);
+    note(pool[i]);
     pelage_group_select_offer_depth(nearest, pool[i]);
   }
   if (end - begin > lanes) {
     pelage_group_select_limit(nearest);
   }
   insert_run(begin, end);
+  return end - begin;
 }
+#endif
 
 /// The optical depth of the whole run less what is kept, clamped to the end of the range.
 uint behind(uint kept) {
@@ -62,10 +71,12 @@ void main() {
     return;
   }
   const uint pixel = VIEW.first_pixel + index_of(at);
-  const uint begin = runs[pixel].x;
-  const uint end = min(counts[pixel], runs[pixel].y);
   scale_of_depth = per_far();
-  select_from(begin, end);
+#ifdef BLOCKS
+  const uint count = select_from(index_of(at));
+#else
+  const uint count = select_from(pixel);
+#endif
   const uint held = pelage_group_select_held(nearest);
 
   const uint first = pixel * uint(K);
@@ -83,7 +94,7 @@ void main() {
     }
   }
   const float last_depth = held > 0u ? pelage_depth_from_key(pelage_group_select_at(nearest, held - 1u).key) : 0.0;
-  const bool is_rest = end - begin > held;
+  const bool is_rest = count > held;
   const uint rest = behind(optical);
   const float rest_depth = subgroupMax(farthest);
   const float mean = mean_depth(subgroupAdd(moments), rest, scale_of_depth);

@@ -77,6 +77,11 @@ uint pelage_atomic_list_storage_add_taken(int pelage_order) {
   return pelage_acquire(atomicAdd(PELAGE_ATOMIC_LIST_STORAGE_TAKEN, pelage_release(1u, pelage_order)), pelage_order);
 }
 
+uint pelage_atomic_list_storage_add_taken_nodes(uint pelage_count, int pelage_order) {
+  return pelage_acquire(atomicAdd(PELAGE_ATOMIC_LIST_STORAGE_TAKEN, pelage_release(pelage_count, pelage_order)),
+                        pelage_order);
+}
+
 void pelage_atomic_list_storage_add_refused(int pelage_order) {
   pelage_acquire(atomicAdd(PELAGE_ATOMIC_LIST_STORAGE_REFUSED, pelage_release(1u, pelage_order)), pelage_order);
 }
