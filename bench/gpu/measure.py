@@ -19,6 +19,8 @@ METHODS = {
     ("k_buffer", "none"): "the same, truncated",
     ("a_buffer", "mean"): "two-pass [Yu12]: lists; an invocation a pixel replaces in registers",
     ("a_buffer", "none"): "the same, truncated: as Yu has it",
+    ("unrolled_list", "mean"): "two-pass, lists of blocks; a subgroup a pixel replaces in registers",
+    ("unrolled_list", "none"): "the same, truncated",
     ("ordered_list", "mean"): "single-pass [Yu12]: lists sorted while they are built",
     ("atomic_k_buffer", "mean"): "one pass of 64-bit minima: cascade_k_buffer",
     ("split_k_buffer", "mean"): "two passes of 32-bit minima: depths, ids",
@@ -70,7 +72,10 @@ def methods_table(program):
     for slow, fast in [
         ("selection_sort mean", "k_buffer mean"),
         ("selection_sort mean", "a_buffer none"),
+        ("selection_sort mean", "unrolled_list none"),
         ("partial_selection_sort mean", "a_buffer none"),
+        ("partial_selection_sort mean", "unrolled_list none"),
+        ("a_buffer none", "unrolled_list none"),
         ("a_buffer mean", "k_buffer mean"),
     ]:
         slower = all_reports[slow] * (len(SIZES) if len(all_reports[slow]) == 1 else 1)

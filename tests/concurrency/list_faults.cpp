@@ -53,8 +53,8 @@ void found_in_a_buffer(std::string_view name, std::string_view as, const list_wo
 }
 
 template <class Storage>
-void found_in_unrolled_list(std::string_view name, std::string_view as, list_work work) {
-  work.block = 2;
+void found_in_unrolled_list(std::string_view name, std::string_view as, list_work work, std::uint32_t block = 2) {
+  work.block = block;
   expect_found("unrolled_list: " + std::string(name), as, list_test<block_inserts, Storage>(work));
 }
 
@@ -106,10 +106,10 @@ TEST_CASE("a_buffer: each fault is found") {
 
 TEST_CASE("unrolled_list: each fault is found") {
   found_in_unrolled_list<unbounded_counter>("(1) the pool's counter has no bound", "the pool's counter goes more",
-                                            full_pool());
+                                            full_pool(), 1);
   found_in_unrolled_list<counter_in_two_steps>("(2) the pool's counter in two steps", "race on node", small());
   found_in_unrolled_list<head_in_two_steps>("(3) the head in two steps", "a fragment is lost", small());
-  found_in_unrolled_list<unlinked>("(4) the last node's link left out", "", small());
+  found_in_unrolled_list<unlinked>("(4) the last node's link left out", "a link leads out of the pool", small());
   found_in_unrolled_list<with_barrier<missing_barrier>>("no barrier before the reader", "race on node",
                                                         small_then_reader());
   found_in_unrolled_list<with_barrier<barrier_arriving_relaxed>>("the barrier arrives relaxed", "race on node",

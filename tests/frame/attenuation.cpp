@@ -164,8 +164,8 @@ TEST_CASE("neither threads nor drawing order nor structure change a bit, and the
     frame_settings settings = small_frame();
     settings.look.model = model;
     const image first = draw(settings, 1);
-    for (const order_method order :
-         {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list, order_method::atomic_k_buffer}) {
+    for (const order_method order : {order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list,
+                                     order_method::ordered_list, order_method::atomic_k_buffer}) {
       settings.order = order;
       settings.shuffle += 1;
       CHECK(same_bits(draw(settings, static_cast<int>(settings.shuffle)).pixels, first.pixels));

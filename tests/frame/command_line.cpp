@@ -61,8 +61,8 @@ TEST_CASE("structures, threads and drawing orders leave the same file; other opt
   const terminal t;
   REQUIRE(t.run(tiny + "--out a.png") == 0);
   const std::string first = text_of(t.folder / "a.png");
-  for (const std::string options :
-       {"--order a_buffer --threads 4", "--order ordered_list --shuffle 5", "--threads 1 --shuffle 6"}) {
+  for (const std::string options : {"--order a_buffer --threads 4", "--order unrolled_list --threads 3",
+                                    "--order ordered_list --shuffle 5", "--threads 1 --shuffle 6"}) {
     CAPTURE(options);
     REQUIRE(t.run(tiny + "--out b.png " + options) == 0);
     CHECK(text_of(t.folder / "b.png") == first);

@@ -54,8 +54,9 @@ TEST_CASE("By Fresnel's attenuation each model of one scattering draws the proce
 
 TEST_CASE("By Fresnel's attenuation every structure draws one picture") {
   std::optional<std::uint64_t> first;
-  for (const order_method order : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,
-                                   order_method::atomic_k_buffer, order_method::split_k_buffer}) {
+  for (const order_method order :
+       {order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list, order_method::ordered_list,
+        order_method::atomic_k_buffer, order_method::split_k_buffer}) {
     CAPTURE(static_cast<int>(order));
     frame_settings settings = fresnel_frame();
     settings.order = order;

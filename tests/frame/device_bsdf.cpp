@@ -124,8 +124,9 @@ TEST_CASE("Without shadows, without translucency and by any lights") {
 
 TEST_CASE("Dual scattering's picture is the same for every structure, order of segments and frame") {
   std::optional<std::uint64_t> first;
-  for (const order_method order : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,
-                                   order_method::atomic_k_buffer, order_method::split_k_buffer}) {
+  for (const order_method order :
+       {order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list, order_method::ordered_list,
+        order_method::atomic_k_buffer, order_method::split_k_buffer}) {
     CAPTURE(static_cast<int>(order));
     frame_settings settings = lit_by(bsdf_model::dual_scattering);
     settings.order = order;

@@ -14,9 +14,13 @@
 
 namespace pelage::test {
 
-constexpr order_method methods[]{order_method::k_buffer,       order_method::a_buffer,
-                                 order_method::ordered_list,   order_method::atomic_k_buffer,
-                                 order_method::split_k_buffer, order_method::partial_selection_sort,
+constexpr order_method methods[]{order_method::k_buffer,
+                                 order_method::a_buffer,
+                                 order_method::unrolled_list,
+                                 order_method::ordered_list,
+                                 order_method::atomic_k_buffer,
+                                 order_method::split_k_buffer,
+                                 order_method::partial_selection_sort,
                                  order_method::selection_sort};
 
 frame_settings ordered_frame(order_method order, std::uint32_t k) {

@@ -79,8 +79,8 @@ TEST_CASE("neither threads nor drawing order nor the choice of structure changes
       CHECK(longest(first) > 4 * settings.k);
       std::uint64_t seed = 0;
       for (const order_method method :
-           {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list, order_method::atomic_k_buffer,
-            order_method::split_k_buffer, order_method::partial_selection_sort}) {
+           {order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list, order_method::ordered_list,
+            order_method::atomic_k_buffer, order_method::split_k_buffer, order_method::partial_selection_sort}) {
         for (const int threads : {1, 2, 4}) {
           CAPTURE(static_cast<int>(method));
           CAPTURE(threads);
@@ -143,8 +143,9 @@ TEST_CASE("the structures at a K that holds every fragment, and sorting by selec
     REQUIRE(longest(truth) <= settings.k);
     CHECK(longest(truth) > 4);
     for (const order_method method :
-         {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list, order_method::atomic_k_buffer,
-          order_method::split_k_buffer, order_method::partial_selection_sort, order_method::selection_sort}) {
+         {order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list, order_method::ordered_list,
+          order_method::atomic_k_buffer, order_method::split_k_buffer, order_method::partial_selection_sort,
+          order_method::selection_sort}) {
       CAPTURE(static_cast<int>(method));
       settings.order = method;
       const frame_result frame = draw(thin, settings);
@@ -187,7 +188,8 @@ TEST_CASE("a tail a slice comes nearer to the true picture, in any order, by any
   }
   settings.tails = 16;
   const image first = draw(small_hair(), settings).picture;
-  for (const order_method order : {order_method::a_buffer, order_method::ordered_list, order_method::atomic_k_buffer}) {
+  for (const order_method order : {order_method::a_buffer, order_method::unrolled_list, order_method::ordered_list,
+                                   order_method::atomic_k_buffer}) {
     settings.order = order;
     settings.shuffle += 1;
     const image other = draw(small_hair(), settings, 3).picture;

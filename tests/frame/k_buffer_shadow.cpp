@@ -33,7 +33,8 @@ TEST_CASE("with K kept a texel is exact among them, then falls, and is exact aga
     lit_fibres scene;
     scene.opaque.parts.clear();
     const std::uint32_t k = *rc::gen::element(1U, 2U, 4U);
-    const k_buffer_shadow map = scene.map(*rc::gen::element(order_method::k_buffer, order_method::a_buffer), k);
+    const k_buffer_shadow map =
+        scene.map(*rc::gen::element(order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list), k);
     const int x = any_texel();
     const int y = any_texel();
     const auto fragments = scene.fragments_of(x, y, map);

@@ -180,8 +180,9 @@ TEST_CASE("neither threads nor the order of segments nor the structure changes a
     settings.order = order_method::k_buffer;
     const frame_result first = draw(hair, settings, 1);
     CHECK_FALSE(same_bits(first.picture.pixels, segments.picture.pixels));
-    for (const order_method method : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list,
-                                      order_method::atomic_k_buffer, order_method::split_k_buffer}) {
+    for (const order_method method :
+         {order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list, order_method::ordered_list,
+          order_method::atomic_k_buffer, order_method::split_k_buffer}) {
       settings.order = method;
       settings.shuffle += 1;
       for (const int threads : {1, 4})

@@ -99,7 +99,8 @@ TEST_CASE("a jittered frame has the same bits in every order, and not those of a
     const image first = draw(1);
     CHECK_FALSE(same_bits(first.pixels, filtered.pixels));
     CHECK(compare(first, filtered).rms < 0.02);
-    for (const order_method order : {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list}) {
+    for (const order_method order :
+         {order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list, order_method::ordered_list}) {
       settings.order = order;
       settings.shuffle += 1;
       CHECK(same_bits(draw(static_cast<int>(settings.shuffle % 4) + 1).pixels, first.pixels));

@@ -20,10 +20,15 @@ namespace pelage::test {
 
 using namespace frame;
 
-constexpr std::array all_methods{order_method::k_buffer,       order_method::a_buffer,
-                                 order_method::ordered_list,   order_method::atomic_k_buffer,
-                                 order_method::split_k_buffer, order_method::partial_selection_sort,
-                                 order_method::selection_sort, order_method::full_sort};
+constexpr std::array all_methods{order_method::k_buffer,
+                                 order_method::a_buffer,
+                                 order_method::unrolled_list,
+                                 order_method::ordered_list,
+                                 order_method::atomic_k_buffer,
+                                 order_method::split_k_buffer,
+                                 order_method::partial_selection_sort,
+                                 order_method::selection_sort,
+                                 order_method::full_sort};
 
 bool keeps_all(order_method method) {
   return method == order_method::selection_sort || method == order_method::full_sort;

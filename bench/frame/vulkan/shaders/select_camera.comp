@@ -24,10 +24,14 @@ pelage_fragment fragment_at(uint i) {
 #ifdef BLOCKS
 void note(pelage_fragment f) {}
 #else
+// The pixel's run.
+uint begin;
+uint end;
+
 /// Takes in a pixel's run. How many fragments it has.
 uint select_from(uint pixel) {
-  const uint begin = runs[pixel].x;
-  const uint end = min(counts[pixel], runs[pixel].y);
+  begin = runs[pixel].x;
+  end = min(counts[pixel], runs[pixel].y);
   if (begin == end) {
     return 0u;
   }
@@ -89,8 +93,7 @@ void put_rest_behind(uint pixel) {
     }
   }
 #else
-  const uint end = min(counts[pixel], runs[pixel].y);
-  for (uint i = runs[pixel].x + gl_SubgroupInvocationID; i < end; i += lanes) {
+  for (uint i = begin + gl_SubgroupInvocationID; i < end; i += lanes) {
     put_if_behind(records[i]);
   }
 #endif
