@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 //
-// a_buffer and ordered_list against sorting: any depths, any order, any pool, any limit.
+// a_buffer, unrolled_list and ordered_list against sorting: any depths, any order, any pool, any limit.
 #include <pelage/order/a_buffer.hpp>
 #include <pelage/order/ordered_list.hpp>
+#include <pelage/order/unrolled_list.hpp>
 
 #include "../input.hpp"
 
@@ -113,6 +114,37 @@ void check_unsorted_lists(const std::vector<offer>& offers, std::uint32_t capaci
   }
 }
 
+/// Blocks of all that comes for one list in a row.
+void check_unrolled_lists(const std::vector<offer>& offers, std::uint32_t capacity) {
+  lists l(capacity);
+  std::vector<fragment> expected[list_count];
+  for (std::size_t i = 0; i < offers.size();) {
+    const std::uint32_t list = offers[i].list;
+    std::vector<fragment> some;
+    for (; i < offers.size() && offers[i].list == list; ++i) {
+      if (is_fragment(offers[i].offered)) {
+        some.push_back(offers[i].offered);
+      }
+    }
+    const auto block = unrolled_list::take(l.storage, static_cast<std::uint32_t>(some.size()));
+    some.resize(block.size);
+    for (std::uint32_t n = 0; n < block.size; ++n) {
+      l.storage.write_node(block.first + n, some[n]);
+    }
+    unrolled_list::push(l.storage, list, block);
+    expected[list].insert(expected[list].begin(), some.begin(), some.end());
+  }
+  for (std::uint32_t list = 0; list < list_count; ++list) {
+    std::vector<fragment> met;
+    for (std::uint32_t node = unrolled_list::first(l.storage, list); node != no_node();
+         node = unrolled_list::next(l.storage, node)) {
+      fuzz::law(met.size() < l.nodes.size(), "an unrolled list ends");
+      met.push_back(l.storage.read_node(node));
+    }
+    fuzz::law(fuzz::equal(met, expected[list]), "an unrolled list is its blocks, last first");
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -126,6 +158,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   check_sorted_lists(offers, capacity);
   check_unsorted_lists(offers, capacity);
+  check_unrolled_lists(offers, capacity);
   check_limit(offers, limit);
   return 0;
 }

@@ -31,11 +31,11 @@ struct unrolled_walk {
     size = 0u;
     then = no_node();
     if (node != no_node()) {
-      const std::uint32_t left = storage.node_capacity() - node;
-      const std::uint32_t mine = node + std::min(group.lane(), left - 1u);
+      // The pool's last node ends a block wherever it is in a list, so that lanes beyond it are left out, too.
+      const std::uint32_t mine = std::min(node + group.lane(), storage.node_capacity() - 1u);
       const std::uint32_t link = storage.load_link(link_of(storage, mine), std::memory_order_relaxed);
       const bool is_last = link != no_node();
-      size = group.count(group.count(is_last).below == 0u && group.lane() < left).all;
+      size = group.count(group.count(is_last).below == 0u).all;
       then = unrolled_list::after(node + size - 1u, group.shuffle(link, size - 1u));
     }
   }

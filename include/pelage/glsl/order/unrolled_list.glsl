@@ -13,8 +13,8 @@
 /// fragment; a reader loads a block's nodes at once, and waits once a block in place of once a fragment (a group of
 /// lanes: unrolled_walk.glsl). A writer is a thread, or in a shader a workgroup that gathers what its invocations draw;
 /// none waits for another one's link. All that the pool holds is kept, unsorted, and every list stays whole; the order
-/// inside a list is the order of arrival. Build and read are two phases, as a_buffer's. Memory: see list_storage;
-/// progress: wait-free.
+/// inside a list is the order of arrival. Build and read are two phases, as a_buffer's. Memory: see list_storage, a
+/// node for each one taken, whether used or not; progress: wait-free.
 ///
 /// A node's link is pelage_no_node() as clear() has left it where the list goes on with the next node of the pool, so
 /// that only a block's last node has a link to store; pelage_unrolled_list_list_end() ends a list.

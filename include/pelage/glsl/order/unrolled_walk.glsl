@@ -29,11 +29,11 @@ void pelage_unrolled_walk_go_to(inout pelage_unrolled_walk self, uint node) {
   self.size = 0u;
   self.then = pelage_no_node();
   if (node != pelage_no_node()) {
-    const uint left = pelage_atomic_list_storage_node_capacity() - node;
-    const uint mine = node + min(pelage_subgroup_lane(), left - 1u);
+    // The pool's last node ends a block wherever it is in a list, so that lanes beyond it are left out, too.
+    const uint mine = min(node + pelage_subgroup_lane(), pelage_atomic_list_storage_node_capacity() - 1u);
     const uint link = pelage_atomic_list_storage_load_link(pelage_link_of(mine), pelage_memory_order_relaxed);
     const bool is_last = link != pelage_no_node();
-    self.size = pelage_subgroup_count(pelage_subgroup_count(is_last).below == 0u && pelage_subgroup_lane() < left).all;
+    self.size = pelage_subgroup_count(pelage_subgroup_count(is_last).below == 0u).all;
     self.then = pelage_unrolled_list_after(node + self.size - 1u, pelage_subgroup_shuffle(link, self.size - 1u));
   }
 }
