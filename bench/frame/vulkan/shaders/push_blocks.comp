@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // The A-buffer of blocks: what a workgroup draws of one pixel goes side by side, to the head of the pixel's list. In:
-// points, limits. Out: pool or, of the camera, records; links, seen. One invocation a segment; bounded by the walk's and
-// coverage's arithmetic, then by the separate stores.
+// points, limits. Out: pool or, of the camera, records; links, seen. One invocation a segment; bounded by the
+// arithmetic of walk and coverage, then by the separate stores.
 //
 // A workgroup's segments lie close together: if all fit a window of the screen, their pixels are counted there, each
 // gets its part of one block, and what is drawn is stored at once where it stays. Else each fragment is a block.

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// The picture from the camera's runs, or with BLOCKS from lists: the K nearest fragments of each pixel in order, the rest
-// as one layer behind them, or with TRUNCATED nowhere, over the background. In: runs, counts or links, records, shaded,
-// edges, picture. Out: picture. One subgroup a pixel; bounded by the scattered loads of the radiance at the two ends of
-// each fragment's segment.
+// The picture from the camera's runs, or with BLOCKS from lists: the K nearest fragments of each pixel in order, the
+// rest as one layer behind them, or with TRUNCATED nowhere, over the background. In: runs, counts or links, records,
+// shaded, edges, picture. Out: picture. One subgroup a pixel; bounded by the scattered loads of the radiance at the two
+// ends of each fragment's segment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require

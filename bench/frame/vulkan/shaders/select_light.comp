@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // A light's map from its runs, or with BLOCKS from lists: the K nearest of each texel with the optical depth up to and
-// including each, then the sum, the mean and the farthest depth of the rest. In: runs, counts or links, pool. Out: entries,
-// texels. One subgroup a texel; bounded by the sorting networks' shuffles.
+// including each, then the sum, the mean and the farthest depth of the rest. In: runs, counts or links, pool. Out:
+// entries, texels. One subgroup a texel; bounded by the sorting networks' shuffles.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
