@@ -54,12 +54,12 @@ void read_size(const std::string& text, frame_settings& settings) {
 }
 
 /// Refuses the options that have no meaning on what draws.
-void check_drawn_on(bool device, const CLI::Option* spacing, float pixels, const CLI::Option* frames, bool turns) {
+void check_drawn_on(bool device, const CLI::Option* spacing, float pixels, const CLI::Option* frames, bool moves) {
   if (device && spacing->count() > 0 && pixels != std::numeric_limits<float>::infinity()) {
     throw std::invalid_argument("--shading-spacing: --device vulkan shades the ends of segments alone, as inf does");
   }
-  if (!device && !turns && frames->count() > 0) {
-    throw std::invalid_argument("--frames needs --device vulkan or --turn");
+  if (!device && !moves && frames->count() > 0) {
+    throw std::invalid_argument("--frames needs --device vulkan, --turn or --sway");
   }
 }
 
@@ -179,12 +179,18 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--device", device, "what draws: cpu or vulkan")
       ->check(CLI::IsMember({"cpu", "vulkan"}))
       ->capture_default_str();
-  CLI::Option* frames = app.add_option("--frames", c.frames,
-                                       "drawn by --device vulkan, whose report has their median times, or of --turn")
-                            ->check(CLI::Range(1, 100000));
+  CLI::Option* frames =
+      app.add_option("--frames", c.frames,
+                     "drawn by --device vulkan, whose report has their median times, or of --turn or --sway")
+          ->check(CLI::Range(1, 100000));
+  CLI::Option* sway = app.add_option("--sway", s.sway,
+                                     "a wind that moves the hair from frame to frame, 1/30 s each: how far tips move, "
+                                     "in shares of the longest strand's reach")
+                          ->check(CLI::Range(0.0, 1.0));
   CLI::Option* turn =
       app.add_option("--turn", c.turn, "how far the camera goes round the model from frame to frame, degrees")
-          ->check(CLI::Range(-360.0, 360.0));
+          ->check(CLI::Range(-360.0, 360.0))
+          ->excludes(sway);
   app.add_option("--shuffle", s.shuffle, "draw segments in an order of this seed; the picture is the same")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--out", c.out, "the picture, PNG")->capture_default_str();
@@ -211,7 +217,7 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
     throw std::invalid_argument("--tail needs --blend k_buffer");
   }
   if (c.on_device && s.tails > 1) throw std::invalid_argument("--tail: --device vulkan keeps the mean or none");
-  check_drawn_on(c.on_device, spacing, s.shading_spacing, frames, turn->count() > 0);
+  check_drawn_on(c.on_device, spacing, s.shading_spacing, frames, turn->count() + sway->count() > 0);
   if (std::isnan(c.turn)) throw std::invalid_argument("--turn must be in [-360, 360] degrees");
   for (const std::string& text : lights)
     s.lights.push_back(parse_light(text));

@@ -89,8 +89,12 @@ frame_result draw_turn(const hair_model& model, const frame_settings& settings, 
   const glm::vec2 first = set.from;
   for (std::uint32_t frame = 1; frame < frames; ++frame) {
     (void)draw_frame(set, now, progress);
+    if (set.hair.moves()) {
+      sway(set.hair, frame, set.fibres);
+      continue;
+    }
     now.from = turned(first, degrees, frame);
-    move_camera(set, model, now);
+    move_camera(set, now);
   }
   frame_result last = draw_frame(set, now, progress);
   last.seconds = seconds_since(start);

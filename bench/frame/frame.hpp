@@ -36,7 +36,7 @@ struct frame_result {
 [[nodiscard]] frame_result draw_frame(const hair_model& model, const frame_settings& settings,
                                       const std::function<void(const std::string&, double)>& progress);
 
-/// The same of a stage that set_up() made with these settings, or move_camera() after it.
+/// The same of a stage that set_up() made with these settings, or move_camera() or sway() after it.
 [[nodiscard]] frame_result draw_frame(const stage& set, const frame_settings& settings,
                                       const std::function<void(const std::string&, double)>& progress);
 
@@ -46,8 +46,9 @@ struct frame_result {
   return {first.x + degrees * static_cast<float>(frame), first.y};
 }
 
-/// Draws frames of a camera that goes round the model, and gives the last: what draw_frame() makes from there, except
-/// that the order of --blend sliced is kept until it is stale. `frames`: [1, inf).
+/// Draws frames of a camera that goes round the model, or of hair in a wind before a camera that stands, and gives the
+/// last: what draw_frame() makes from there, except that the order of --blend sliced is kept until it is stale.
+/// `frames`: [1, inf). `degrees`: 0 where a wind blows.
 [[nodiscard]] frame_result draw_turn(const hair_model& model, const frame_settings& settings, std::uint32_t frames,
                                      float degrees, const std::function<void(const std::string&, double)>& progress);
 

@@ -59,7 +59,8 @@ nlohmann::json report_of(const command_line& c, const hair_model& model) {
           {"components", name_of(c.settings.shown)},
           {"bsdf", name_of(c.settings.look.model)},
           {"attenuation", c.settings.look.passing == attenuation::fresnel ? "fresnel" : "constant"},
-          {"k", c.settings.k}};
+          {"k", c.settings.k},
+          {"sway", c.settings.sway}};
 }
 
 nlohmann::json report_of(const frame_result& frame) {
@@ -98,6 +99,7 @@ nlohmann::json report_of(const device_frame& frame) {
           {"same_hash", frame.same},
           {"hash", fmt::format("{:016x}", frame.hash)},
           {"device_bytes", frame.bytes},
+          {"redrawn", frame.redrawn},
           {"slice_sorts", frame.sorts},
           {"slice_sort_seconds", frame.sort_seconds},
           {"views", views},
@@ -173,8 +175,9 @@ void run(const command_line& c) {
   if (c.on_device) {
     device_frame frame = draw_frame_on_device(model, c.settings, c.frames, c.turn);
     report.update(report_of(frame));
-    said += fmt::format("{:.3f} ms on {}, {} of {} frames are {:016x}\n", frame.milliseconds, frame.device, frame.same,
-                        frame.frames, frame.hash);
+    said +=
+        fmt::format("{:.3f} ms on {}, {} of {} frames are {}{:016x}\n", frame.milliseconds, frame.device, frame.same,
+                    frame.frames, c.settings.sway > 0.0F ? "the same when drawn again, all together " : "", frame.hash);
     picture = std::move(frame.picture);
   } else {
     frame_result frame = arena.execute([&] { return draw_turn(model, c.settings, c.frames, c.turn, show_progress); });

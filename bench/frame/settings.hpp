@@ -47,6 +47,7 @@ struct frame_settings {
   std::uint64_t shuffle = 0;      ///< seed of the drawing order; 0: the model's order
   std::optional<glm::vec2> from;  ///< where the camera stands: azimuth from +z toward +x and elevation,
                                   ///< degrees, elevation in (-90, 90); none: where the hair is seen best
+  float sway = 0.0F;              ///< how far a wind moves tips, in shares of the longest strand's reach, [0, 1]
   float distance = 1.0F;          ///< of the camera, in distances from which it just sees all hair, [0.5, 1000]
   bool on_bust = false;           ///< the opaque object is the built-in bust, not a sphere that fits
 };

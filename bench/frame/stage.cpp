@@ -16,6 +16,10 @@ namespace {
 
 constexpr float largest = 1e12F;  ///< lengths that a frame takes
 
+bool is_sliced(const frame_settings& s) {
+  return s.blend.method == blend_method::sliced || s.blend.method == blend_method::sliced_clipped;
+}
+
 void check(const frame_settings& s) {
   const auto in_range = [](int n) { return n >= 1 && n <= 16384; };
   if (!in_range(s.width) || !in_range(s.height))
@@ -34,6 +38,10 @@ void check(const frame_settings& s) {
   }
   for (const float channel : {s.ambient.r, s.ambient.g, s.ambient.b})
     if (!(channel >= 0.0F && channel <= 1e6F)) throw std::invalid_argument("ambient light must be in [0, 1e6]");
+  if (!(s.sway >= 0.0F && s.sway <= 1.0F)) throw std::invalid_argument("--sway must be in [0, 1]");
+  if (s.sway > 0.0F && is_sliced(s)) {
+    throw std::invalid_argument("--sway: --blend sliced puts segments in slices once; hair that moves needs another");
+  }
   if (!(s.distance >= 0.5F && s.distance <= 1000.0F)) {
     throw std::invalid_argument("the camera's distance must be in [0.5, 1000]");
   }
@@ -146,7 +154,7 @@ view fitted_camera(const box& bounds, const sphere& round, const glm::vec3& towa
                           0.01F * round.radius, footprint);
 }
 
-void place_views(stage& s, const box& bounds, const frame_settings& settings) {
+void place_views(stage& s, const frame_settings& settings) {
   s.from = settings.from ? *settings.from : best_side(s.opaque, s.round, settings.on_bust);
   const int texels =
       settings.map_size != 0 ? settings.map_size : std::clamp(std::max(settings.width, settings.height), 2, 2048);
@@ -157,12 +165,10 @@ void place_views(stage& s, const box& bounds, const frame_settings& settings) {
     s.light_views.push_back(light_view(s.lights.back(), s.round, texels));
   }
   const glm::vec3 toward = direction_of(s.from);
-  s.eye = fitted_camera(bounds, s.round, toward, settings.distance, settings.width, settings.height,
+  s.eye = fitted_camera(s.bounds, s.round, toward, settings.distance, settings.width, settings.height,
                         settings.antialias ? settings.footprint : pixel_footprint::inscribed);
-  const blend_method method = settings.blend.method;
-  const bool is_sliced = method == blend_method::sliced || method == blend_method::sliced_clipped;
-  s.slices.slices = is_sliced ? settings.blend.size : 0;
-  s.slices.update(s.fibres, bounds, -toward);
+  s.slices.slices = is_sliced(settings) ? settings.blend.size : 0;
+  s.slices.update(s.fibres, s.bounds, -toward);
 }
 
 glm::vec3 mean(std::span<const glm::vec3> colours) {
@@ -175,27 +181,35 @@ glm::vec3 mean(std::span<const glm::vec3> colours) {
 }  // namespace
 
 stage set_up(const hair_model& model, const frame_settings& settings) {
-  const box bounds = model.bounds();
   check(settings);
-  check(model, bounds);
+  check(model, model.bounds());
   stage s;
+  s.hair = make_swaying(model, settings.sway);
+  s.bounds = bounds_of(model, s.hair);
   s.fibres = prepare_strands(model, {settings.fibre_radius, settings.opacity});
-  s.round = sphere_round(bounds);
+  sway(s.hair, 0, s.fibres);
+  s.round = sphere_round(s.bounds);
   s.drawing_order = drawing_order(s.fibres.segment_count(), settings.shuffle);
-  s.opaque = opaque_objects(model, bounds, s.round, settings.on_bust);
+  s.opaque = opaque_objects(model, s.bounds, s.round, settings.on_bust);
   s.sky = glm::vec3(0.62F, 0.66F, 0.72F);
-  place_views(s, bounds, settings);
+  place_views(s, settings);
   return s;
 }
 
 line_depths line_depths_of(const stage& s, const view& from) {
   constexpr std::uint32_t bins = 256;
-  return line_depths_of(s.fibres, from, &from == &s.eye ? bins : 0, -from.to_view(s.round.centre).z);
+  strands ends;  // of all depths that moving hair may have
+  if (s.hair.moves()) {
+    const glm::vec3 back = s.round.radius * from.direction_to_world(glm::vec3(0.0F, 0.0F, 1.0F));
+    ends.point = {s.round.centre + back, s.round.centre - back};
+  }
+  return line_depths_of(s.hair.moves() ? ends : s.fibres, from, &from == &s.eye ? bins : 0,
+                        -from.to_view(s.round.centre).z);
 }
 
-void move_camera(stage& s, const hair_model& model, const frame_settings& settings) {
+void move_camera(stage& s, const frame_settings& settings) {
   check(settings);
-  place_views(s, model.bounds(), settings);
+  place_views(s, settings);
 }
 
 fibre_bsdf make_bsdf(const stage& set, const fibre_look& look) {

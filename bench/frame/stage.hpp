@@ -6,6 +6,7 @@
 
 #include "frame/model/hair_model.hpp"
 #include "frame/model/strands.hpp"
+#include "frame/model/sway.hpp"
 #include "frame/order/slice_order.hpp"
 #include "frame/scene/lights.hpp"
 #include "frame/scene/solids.hpp"
@@ -17,7 +18,9 @@ namespace pelage::frame {
 /// All that stands before the lights and the camera, and where those stand: what a frame draws on any device.
 struct stage {
   strands fibres;
-  sphere round;  ///< of the fibres
+  swaying_hair hair;  ///< of the fibres, where a wind blows
+  box bounds;         ///< of the fibres, wherever the wind takes them
+  sphere round;       ///< round that
   solids opaque;
   glm::vec3 sky;                             ///< light from all sides, linear RGB
   std::vector<light> lights;                 ///< placed
@@ -28,7 +31,8 @@ struct stage {
   glm::vec2 from;                            ///< where the camera stands, as in the settings
 };
 
-/// Throws std::invalid_argument for a setting out of range and a model that float's range does not hold.
+/// Where a wind blows, its frame 0. Throws std::invalid_argument for a setting out of range and a model that float's
+/// range does not hold.
 [[nodiscard]] stage set_up(const hair_model& model, const frame_settings& settings);
 
 /// At which depths one of the stage's views takes the widths of lines: 256 bins for the camera, the middle of the
@@ -37,7 +41,7 @@ struct stage {
 
 /// Moves the camera, and lights that go with it, to where the settings say: afterwards a stage is as set_up() makes it,
 /// except that the slices' order stays until it is stale.
-void move_camera(stage& s, const hair_model& model, const frame_settings& settings);
+void move_camera(stage& s, const frame_settings& settings);
 
 /// How the stage's fibres scatter light. Throws as fibre_bsdf does.
 [[nodiscard]] fibre_bsdf make_bsdf(const stage& set, const fibre_look& look);

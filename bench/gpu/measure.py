@@ -10,6 +10,7 @@ import tempfile
 
 import growth
 import steps
+import sway
 
 HAIR = ["--strands", "50000", "--segments", "48"]
 HEADLINE = ["--strands", "114000", "--segments", "60"]
@@ -204,6 +205,7 @@ def main():
         "headline": headline(program, folder / "gpu.png"),
         "steps": steps.tables(draw, program),
         "growth": growth.tables(draw, program),
+        "sway": sway.tables(draw, program),
     }
     (folder / "gpu.json").write_text(json.dumps(reports, indent=2) + "\n")
 

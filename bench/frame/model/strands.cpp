@@ -17,16 +17,6 @@ glm::vec3 direction_or(const glm::vec3& from, const glm::vec3& to, const glm::ve
   return length2 > 0.0F ? d / std::sqrt(length2) : otherwise;
 }
 
-void set_tangents(const hair_model& model, std::uint32_t first, std::uint32_t end, big_array<glm::vec3>& tangent) {
-  glm::vec3 last(0.0F, 1.0F, 0.0F);
-  for (std::uint32_t i = first; i < end; ++i) {
-    const std::uint32_t before = i > first ? i - 1 : i;
-    const std::uint32_t after = i + 1 < end ? i + 1 : i;
-    last = direction_or(model.points[before], model.points[after], last);
-    tangent[i] = last;
-  }
-}
-
 /// A value per point, each made by `make` from what the model gives.
 template <class T, class Make>
 big_array<T> per_point(const std::vector<T>& given, const T& otherwise, std::size_t count, Make&& make) {
@@ -47,6 +37,17 @@ std::vector<std::uint32_t> first_segments(const hair_model& model) {
 }
 
 }  // namespace
+
+void set_tangents(std::span<const glm::vec3> point, std::uint32_t first, std::uint32_t end,
+                  big_array<glm::vec3>& tangent) {
+  glm::vec3 last(0.0F, 1.0F, 0.0F);
+  for (std::uint32_t i = first; i < end; ++i) {
+    const std::uint32_t before = i > first ? i - 1 : i;
+    const std::uint32_t after = i + 1 < end ? i + 1 : i;
+    last = direction_or(point[before], point[after], last);
+    tangent[i] = last;
+  }
+}
 
 strands prepare_strands(const hair_model& model, const strand_overrides& overrides) {
   const std::size_t count = model.points.size();
@@ -77,7 +78,7 @@ strands prepare_strands(const hair_model& model, const strand_overrides& overrid
       s.segment[first_segment[strand] + (i - first)] = i;
     s.end_of[first] |= strands::first;
     s.end_of[end - 1] |= strands::last;
-    set_tangents(model, first, end, s.tangent);
+    set_tangents(model.points, first, end, s.tangent);
   });
   return s;
 }

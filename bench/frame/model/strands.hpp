@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "frame/base/big_array.hpp"
@@ -42,7 +43,11 @@ struct strand_overrides {
   float opacity = -1.0F;
 };
 
-/// Points of a strand that lie on each other get the tangent of their neighbours, or +y where there is none.
+/// Tangents of one strand, points [first, end). Points that lie on each other get the tangent of the one before, or +y
+/// where there is none.
+void set_tangents(std::span<const glm::vec3> point, std::uint32_t first, std::uint32_t end,
+                  big_array<glm::vec3>& tangent);
+
 /// O(points), parallel over strands.
 [[nodiscard]] strands prepare_strands(const hair_model& model, const strand_overrides& overrides);
 

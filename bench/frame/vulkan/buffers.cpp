@@ -81,4 +81,9 @@ void upload_fibres(device& to, const strands& fibres, std::span<const std::uint3
   upload_all(to, segment_buffer, segments);
 }
 
+void upload_rest(device& to, const swaying_hair& hair) {
+  static_assert(sizeof(rest_point) == 16);  // as in shaders/sway.comp
+  upload_all(to, rest_buffer, hair.rest);
+}
+
 }  // namespace pelage::frame::vulkan

@@ -39,6 +39,7 @@ enum binding : std::uint32_t {
   bsdf_buffer,
   covered_buffer,
   layer_buffer,
+  rest_buffer,
   buffer_count
 };
 
@@ -54,5 +55,8 @@ struct view_report {
 /// that lie near each other are drawn together.
 /// Throws std::runtime_error for more points than a segment's word can number.
 void upload_fibres(device& to, const strands& fibres, std::span<const std::uint32_t> drawing_order);
+
+/// Where the points of hair that moves rest.
+void upload_rest(device& to, const swaying_hair& hair);
 
 }  // namespace pelage::frame::vulkan

@@ -21,35 +21,42 @@ std::uint64_t hash_of(std::span<const float> values) {
   return hash;
 }
 
+std::uint64_t hash_of(const std::vector<std::uint64_t>& hashes) {
+  std::uint64_t hash = 14695981039346656037U;
+  for (const std::uint64_t h : hashes)
+    hash = (hash ^ h) * 1099511628211U;
+  return hash;
+}
+
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// The steps of a frame that are reported together: a pass that is repeated for each layer is one.
-struct pass_of {
+/// Of steps that are reported together, a time a frame: a pass that is repeated for each layer is one.
+struct pass_times {
   std::string view;
   std::string name;
-  std::vector<std::size_t> steps;
+  std::vector<double> milliseconds;
 };
 
-std::vector<pass_of> passes_of(const std::vector<named_steps::name>& frame) {
-  std::vector<pass_of> all;
-  for (std::size_t i = 0; i < frame.size(); ++i) {
-    const auto same = [&](const pass_of& p) { return p.view == frame[i].view && p.name == frame[i].pass; };
-    auto found = std::find_if(all.begin(), all.end(), same);
-    if (found == all.end()) found = all.insert(all.end(), {frame[i].view, frame[i].pass, {}});
-    found->steps.push_back(i);
+/// Takes in a frame, which may have other steps than those before.
+void add_times(std::vector<pass_times>& all, const std::vector<named_steps::name>& names,
+               const std::vector<double>& milliseconds) {
+  std::vector<bool> has_time(all.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto same = [&](const pass_times& p) { return p.view == names[i].view && p.name == names[i].pass; };
+    const auto found = std::find_if(all.begin(), all.end(), same);
+    const auto at = static_cast<std::size_t>(found - all.begin());
+    if (found == all.end()) {
+      all.push_back({names[i].view, names[i].pass, {}});
+      has_time.push_back(false);
+    }
+    if (!has_time[at]) all[at].milliseconds.push_back(0.0);
+    has_time[at] = true;
+    all[at].milliseconds.back() += milliseconds[i];
   }
-  return all;
-}
-
-double sum_of(const std::vector<double>& milliseconds, const std::vector<std::size_t>& steps) {
-  double sum = 0;
-  for (const std::size_t i : steps)
-    sum += milliseconds[i];
-  return sum;
 }
 
 }  // namespace
@@ -61,31 +68,37 @@ device_frame draw_frame_on_device(const hair_model& model, const frame_settings&
   frame_settings now = settings;
   const glm::vec2 first = set.from;
   session on(set, settings);
-  device_frame result{image(settings.width, settings.height), on.device_name(), {}, {}, 0, on.bytes(), 0, frames, 0};
-  std::vector<pass_of> passes = passes_of(on.frame().names);
-  std::vector<std::vector<double>> times(passes.size());
+  device_frame result{image(settings.width, settings.height), on.device_name(), {}, {}, 0, 0, 0, frames, 0};
+  std::vector<pass_times> passes;
   std::vector<double> whole;
+  std::vector<std::uint64_t> hashes;
+  const auto drawn_hash = [&] {
+    on.read_picture(result.picture);
+    const std::span<const glm::vec3> pixels = result.picture.pixels;
+    return hash_of({&pixels.front().x, 3 * pixels.size()});
+  };
   for (std::uint32_t f = 0; f < frames / 10; ++f)
-    (void)on.draw();
+    (void)on.draw(f);
   for (std::uint32_t f = 0; f < frames; ++f) {
     if (degrees != 0.0F && f > 0) {
       now.from = turned(first, degrees, f);
-      move_camera(set, model, now);
+      move_camera(set, now);
       on.move_camera(now);
-      passes = passes_of(on.frame().names);  // with other steps
     }
-    const std::vector<double> milliseconds = on.draw();
-    for (std::size_t p = 0; p < passes.size(); ++p)
-      times[p].push_back(sum_of(milliseconds, passes[p].steps));
+    const std::vector<double> milliseconds = on.draw(f);
+    add_times(passes, on.frame().names, milliseconds);
     whole.push_back(std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0));
-    on.read_picture(result.picture);
-    const std::span<const glm::vec3> pixels = result.picture.pixels;
-    const std::uint64_t hash = hash_of({&pixels.front().x, 3 * pixels.size()});
-    if (f == 0) result.hash = hash;
-    result.same += hash == result.hash ? 1 : 0;
+    hashes.push_back(drawn_hash());
   }
-  for (std::size_t p = 0; p < passes.size(); ++p)
-    result.passes.push_back({passes[p].view, passes[p].name, median(times[p])});
+  for (std::uint32_t f = 0; f < frames; ++f) {
+    if (set.hair.moves()) (void)on.draw(f);
+    result.same += hashes[f] == (set.hair.moves() ? drawn_hash() : hashes.front()) ? 1 : 0;
+  }
+  result.hash = set.hair.moves() ? hash_of(hashes) : hashes.front();
+  for (const pass_times& p : passes)
+    result.passes.push_back({p.view, p.name, median(p.milliseconds)});
+  result.bytes = on.bytes();
+  result.redrawn = on.redrawn();
   result.milliseconds = median(whole);
   result.views = on.read_fragments();
   result.sorts = set.slices.sorts;

@@ -28,11 +28,13 @@ struct device_frame {
   std::vector<fragments> views;  ///< in the order of passes
   double milliseconds;           ///< median of the whole frames
   std::uint64_t bytes;           ///< of the device's memory
-  std::uint64_t hash;            ///< of the first picture's bits
+  std::uint64_t hash;            ///< of the first picture's bits; of hair that moves, of all pictures' hashes in order
   std::uint32_t frames;          ///< timed, after a tenth as many to warm up
-  std::uint32_t same;            ///< of those, how many have that hash
-  std::uint32_t sorts = 0;       ///< of the slices' order
-  double sort_seconds = 0;       ///< what they took
+  std::uint32_t same;         ///< of those, how many have that hash; of hair that moves, how many have the same again
+                              ///< when the sequence is drawn a second time
+  std::uint32_t redrawn = 0;  ///< how often moving hair outgrew its room, so that a frame was drawn again with more
+  std::uint32_t sorts = 0;    ///< of the slices' order
+  double sort_seconds = 0;    ///< what they took
 };
 
 using pelage::vulkan::no_device;
@@ -41,8 +43,9 @@ using pelage::vulkan::no_device;
 /// segments are lit at their ends alone, whatever the settings' shading_spacing.
 ///
 /// `frames`: [1, inf). `degrees`: as draw_turn() has them, and then each frame's passes are those of a place of its
-/// own. Throws no_device; std::runtime_error, one line, for too little memory, a model too large for the device, and
-/// what its shaders do not have; and as draw_frame().
+/// own, as they are where a wind blows. The layers of --blend depth_peeling are counted before each frame, apart from
+/// its time. Throws no_device; std::runtime_error, one line, for too little memory, a model too large for the device,
+/// and what its shaders do not have; and as draw_frame().
 [[nodiscard]] device_frame draw_frame_on_device(const hair_model& model, const frame_settings& settings,
                                                 std::uint32_t frames, float degrees = 0.0F);
 

@@ -39,6 +39,8 @@ struct scene_block {
     float line_nearest;
     float line_bin;
     float line_last;
+    std::uint32_t end_place;
+    std::array<std::uint32_t, 3> unused;
   };
   struct light_block {
     glm::vec3 position;
@@ -79,8 +81,8 @@ struct scene_block {
   float exponent;
   std::array<std::uint32_t, 3> unused;
 };
-static_assert(sizeof(scene_block::view_block) == 128 && sizeof(scene_block::light_block) == 48 &&
-              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 1920);
+static_assert(sizeof(scene_block::view_block) == 144 && sizeof(scene_block::light_block) == 48 &&
+              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 2064);
 
 /// The constants of a frame; views[i].first_pixel and first_block count those of the views before. What depends on the
 /// number of fragments is 0.

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -26,7 +28,7 @@ const device_options wanted{
     .application = "pelage-frame",
     .bindings = buffer_count,
     .has_uniforms = true,
-    .push_bytes = 24,
+    .push_bytes = 44,
     .gpu_workgroup = 256,
     .timed = true,
     .validate = false,
@@ -67,6 +69,7 @@ session::session(const stage& set, const frame_settings& settings)
   device_.resize(scene_buffer, sizeof constants_);
   upload_constants();
   upload_strands();
+  upload_rest(device_, set.hair);
   upload_bsdf(device_, make_bsdf(set, settings.look), set.fibres.point.size());
   make_buffers();
 }
@@ -112,13 +115,33 @@ void session::check_device() const {
   }
 }
 
+std::vector<double> session::draw(std::uint32_t frame) {
+  if (!set_.hair.moves()) return device_.run(frame_.steps);
+  time_ = frame;
+  if (camera_plan_.layer.empty()) {
+    blow(frame_.steps.front());
+  } else {
+    tally();
+    frame_ = {};
+    make_frame();
+  }
+  std::vector<double> milliseconds = device_.run(frame_.steps);
+  for (; !all_fitted(); ++redrawn_) {
+    frame_ = {};
+    capacity_ = 0;
+    make_buffers();
+    milliseconds = device_.run(frame_.steps);
+  }
+  return milliseconds;
+}
+
 void session::read_picture(image& picture) {
   device_.download(picture_buffer, std::as_writable_bytes(std::span(picture.pixels)));
 }
 
 std::vector<device_frame::fragments> session::read_fragments() {
-  std::vector<view_report> last(set_.lights.size() + 1);
-  device_.download(report_buffer, std::as_writable_bytes(std::span(last)));
+  const std::vector<view_report> last = read_reports();
+  if (set_.hair.moves()) tally();
   std::vector<device_frame::fragments> all;
   for (std::uint32_t v = first_view(); v <= camera(); ++v)
     all.push_back({counted_[v].with_carries(counted_[v].fragments), counted_[v].longest, last[v].refused});
@@ -200,6 +223,9 @@ void session::make_buffers() {
   device_.resize(pool_buffer, 0);
   device_.resize(record_buffer, 0);
   device_.resize(stamp_buffer, 0);
+  for (scene_block::view_block& v : constants_.views)
+    v.stamp_count = v.end_place = 0;
+  upload_constants();
   const std::uint64_t texels = all - pixels(camera());
   device_.resize(cell_buffer, (light_plan_.maps || camera_plan_.maps ? all : 0) * 12 * sizeof(std::uint32_t));
   device_.resize(covered_buffer, (light_plan_.covered ? texels : 0) * 2 * sizeof(std::uint32_t));
@@ -227,13 +253,29 @@ void session::make_buffers() {
 
 std::vector<view_report> session::run_and_read(const named_steps& steps) {
   (void)device_.run(steps.steps);
+  return read_reports();
+}
+
+std::vector<view_report> session::read_reports() {
   std::vector<view_report> read(set_.lights.size() + 1);
   device_.download(report_buffer, std::as_writable_bytes(std::span(read)));
   return read;
 }
 
+/// Brings the wind of the frame that is drawn.
+void session::blow(step& s) const {
+  static_assert(sizeof(wind) == 5 * sizeof(std::uint32_t));
+  const auto words = std::bit_cast<std::array<std::uint32_t, 5>>(set_.hair.wind_at(time_));
+  s.push.resize(6);
+  s.push.insert(s.push.end(), words.begin(), words.end());
+}
+
 /// What every frame begins with.
 void session::begin(named_steps& to) const {
+  if (set_.hair.moves()) {
+    run(to, {all_views().name, first_view(), first_view() + 1}, "sway", over::points);
+    blow(to.steps.back());
+  }
   fill(to, all_views(), "reports", report_buffer, 0);
   fill(to, all_views(), "seen", seen_buffer, 0);
   fill(to, all_views(), "block limits", block_limit_buffer, 0);
@@ -249,6 +291,29 @@ void session::measure() {
     if (plan_for(views.first).pool) run(steps, views, {{"count", over::segments}, {"allocate", over::pixels}});
   }
   counted_ = run_and_read(steps);
+  rooms_.resize(counted_.size());
+  for (std::uint32_t v = first_view(); v <= camera(); ++v) {
+    const std::uint64_t places = counted_[v].with_carries(counted_[v].taken);
+    const std::uint64_t stamps = counted_[v].stamps;
+    if (!set_.hair.moves()) {
+      rooms_[v] = {places, stamps};
+      continue;
+    }
+    // Never less than before: what one frame needs another may need again.
+    rooms_[v].places = std::max(rooms_[v].places, places + places / 8);
+    rooms_[v].stamps = std::max(rooms_[v].stamps, stamps + set_.fibres.segment_count() / 8);
+  }
+}
+
+/// Whether the last frame of moving hair found the room that it needed.
+bool session::all_fitted() {
+  const std::vector<view_report> last = read_reports();
+  for (std::uint32_t v = first_view(); v <= camera(); ++v) {
+    const bool has_room = !plan_for(v).runs || (last[v].with_carries(last[v].taken) <= rooms_[v].places &&
+                                                last[v].stamps <= rooms_[v].stamps);
+    if (last[v].refused > 0 || !has_room) return false;
+  }
+  return true;
 }
 
 /// Gives each view its part of the pool and of the stamps. Runs lie one view's behind another's; lists have
@@ -259,8 +324,7 @@ void session::make_room() {
   std::uint64_t records = 0;
   for (std::uint32_t v = first_view(); v <= camera(); ++v) {
     const plan& p = plan_for(v);
-    const view_report& most = counted_[v];
-    const std::uint64_t taken = most.with_carries(most.taken);
+    const std::uint64_t taken = rooms_[v].places;
     const bool has_records = p.records && v == camera();
     if (!p.runs) {
       std::uint64_t& of_lists = has_records ? records : places;
@@ -273,7 +337,8 @@ void session::make_room() {
       constants_.views[v].first_place = static_cast<std::uint32_t>(places);
       places += taken;
     }
-    const std::uint64_t count = std::uint64_t{set_.fibres.segment_count()} + most.stamps;
+    constants_.views[v].end_place = constants_.views[v].first_place + static_cast<std::uint32_t>(taken);
+    const std::uint64_t count = std::uint64_t{set_.fibres.segment_count()} + rooms_[v].stamps;
     constants_.views[v].first_stamp = static_cast<std::uint32_t>(stamps);
     constants_.views[v].stamp_count = static_cast<std::uint32_t>(count);
     stamps += count;

@@ -40,14 +40,21 @@ class session {
   [[nodiscard]] const std::string& device_name() const { return device_.name(); }
   [[nodiscard]] std::uint64_t bytes() const { return device_.bytes(); }
   [[nodiscard]] const named_steps& frame() const { return frame_; }
-  [[nodiscard]] std::vector<double> draw() { return device_.run(frame_.steps); }
+  /// Draws a frame; which one matters to hair that moves. Milliseconds of each step.
+  [[nodiscard]] std::vector<double> draw(std::uint32_t frame = 0);
+  /// How often a frame of moving hair had to be drawn again, since it needed more room than those before.
+  [[nodiscard]] std::uint32_t redrawn() const { return redrawn_; }
   /// After the stage's camera has moved: all that depends on it anew.
   void move_camera(const frame_settings& settings);
   void read_picture(image& picture);
-  /// One a light with shadows, then the camera's.
+  /// One a light with shadows, then the camera's; of hair that moves in the frame that was drawn last.
   [[nodiscard]] std::vector<device_frame::fragments> read_fragments();
 
  private:
+  /// For a view's fragments, and for the stamps of its segments.
+  struct room {
+    std::uint64_t places, stamps;
+  };
   [[nodiscard]] std::uint32_t camera() const { return static_cast<std::uint32_t>(set_.lights.size()); }
   [[nodiscard]] const plan& plan_for(std::uint32_t v) const { return v == camera() ? camera_plan_ : light_plan_; }
   [[nodiscard]] const view& view_of(std::uint32_t v) const { return v == camera() ? set_.eye : set_.light_views[v]; }
@@ -89,10 +96,13 @@ class session {
   void upload_constants();
   void upload_strands();
   void make_buffers();
+  [[nodiscard]] std::vector<view_report> read_reports();
   [[nodiscard]] std::vector<view_report> run_and_read(const named_steps& steps);
+  void blow(pelage::vulkan::step& s) const;
   void begin(named_steps& to) const;
   void measure();
   void make_room();
+  [[nodiscard]] bool all_fitted();
   void tally();
   void build(const view_range& views);
   void finish(const view_range& views);
@@ -110,6 +120,9 @@ class session {
   scene_block constants_;
   std::uint32_t capacity_ = 0;
   std::vector<view_report> counted_;
+  std::vector<room> rooms_;  ///< that each view has
+  std::uint32_t time_ = 0;   ///< the frame that is drawn
+  std::uint32_t redrawn_ = 0;
   named_steps frame_;
 };
 

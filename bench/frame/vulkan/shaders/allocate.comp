@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // Gives each pixel its run of the pool, in any order: what is in a run matters, not where it lies. In: counts. Out:
-// runs, and in counts the first free place of each. Pixels that the pool has no room for get a shorter run. One
+// runs, and in counts the first free place of each. Pixels that the view has no room for get a shorter run. One
 // invocation a pixel; bounded by one atomic add a subgroup on a single word.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -25,8 +25,8 @@ void main() {
       atomicAdd(reports[this_view()].carries, carries);
     }
   }
-  const uint first = min(VIEW.first_place + subgroupBroadcastFirst(base) + before, push.capacity);
-  const uint held = min(wanted, push.capacity - first);
+  const uint first = min(VIEW.first_place + subgroupBroadcastFirst(base) + before, VIEW.end_place);
+  const uint held = min(wanted, VIEW.end_place - first);
   if (inside) {
     runs[pixel] = uvec2(first, first + held);
     counts[pixel] = first;

@@ -14,7 +14,7 @@ uvec4 waiting_fragment;
 bool is_waiting = false;
 
 void store_waiting() {
-  if (is_waiting && waiting_place < push.capacity) {
+  if (is_waiting && waiting_place < VIEW.end_place) {
 #ifdef RECORDS
     if (is_camera()) {
       records[waiting_place] = waiting_fragment;

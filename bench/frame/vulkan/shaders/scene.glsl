@@ -15,6 +15,9 @@ layout(push_constant) uniform push_block {
   uint k;              ///< fragments kept a pixel, for the methods that are not compiled for one
   uint first_segment;  ///< of the slice that is drawn
   uint end_segment;
+  float wind_phase[3];  ///< as model/sway.hpp has them
+  float wind_bend;
+  float wind_scale;
 } push;
 
 struct view_block {
@@ -41,6 +44,7 @@ struct view_block {
   float line_nearest;  ///< of lines' depth bins; with line_bin 0 all lines have their width at this depth
   float line_bin;
   float line_last;
+  uint end_place;  ///< of this view's runs
 };
 
 struct light_block {
