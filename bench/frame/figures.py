@@ -88,11 +88,12 @@ side_by_side("scattering", [
     for model, title in models
 ])
 
-# The built-in hair in a wind, at four of its times.
-side_by_side("sway", [[
-    (f"{frame / 30:.1f} s", render(f"sway-{frame}", "--size", "400", "--sway", "0.25", "--from", "10,4", "--frames", str(frame + 1))[0])
-    for frame in (0, 12, 24, 36)
-]])
+# The built-in hair in a wind, 0.4 s apart.
+side_by_side("sway", [
+    [(f"{frame / 30:.1f} s", render(f"sway-{frame}", "--size", "400", "--from", "10,4", "--sway", "0.25",
+                                    "--frames", str(frame + 1))[0]) for frame in row]
+    for row in ((0, 12), (24, 36))
+])
 
 if given.hair:
     picture, _ = render("file", "--hair", given.hair, "--follow", "15")

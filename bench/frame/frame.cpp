@@ -87,12 +87,9 @@ frame_result draw_turn(const hair_model& model, const frame_settings& settings, 
   stage set = set_up(model, settings);
   frame_settings now = settings;
   const glm::vec2 first = set.from;
-  for (std::uint32_t frame = 1; frame < frames; ++frame) {
+  sway(set.hair, frames - 1, set.fibres);
+  for (std::uint32_t frame = 1; frame < frames && !set.hair.moves(); ++frame) {
     (void)draw_frame(set, now, progress);
-    if (set.hair.moves()) {
-      sway(set.hair, frame, set.fibres);
-      continue;
-    }
     now.from = turned(first, degrees, frame);
     move_camera(set, now);
   }

@@ -46,9 +46,9 @@ struct frame_result {
   return {first.x + degrees * static_cast<float>(frame), first.y};
 }
 
-/// Draws frames of a camera that goes round the model, or of hair in a wind before a camera that stands, and gives the
-/// last: what draw_frame() makes from there, except that the order of --blend sliced is kept until it is stale.
-/// `frames`: [1, inf). `degrees`: 0 where a wind blows.
+/// Draws frames of a camera that goes round the model, and gives the last: what draw_frame() makes from there, except
+/// that the order of --blend sliced is kept until it is stale. Where a wind blows the camera stands and the last frame
+/// alone is drawn: it does not depend on those before. `frames`: [1, inf).
 [[nodiscard]] frame_result draw_turn(const hair_model& model, const frame_settings& settings, std::uint32_t frames,
                                      float degrees, const std::function<void(const std::string&, double)>& progress);
 

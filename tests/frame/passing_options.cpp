@@ -45,4 +45,25 @@ TEST_CASE("a turn is a number of degrees, which may be 0, and a line that refuse
   CHECK(text_of(t.folder / "a.png") == text_of(t.folder / "b.png"));
 }
 
+TEST_CASE(
+    "a wind leaves the picture of its last frame, of amplitude 0 that of rest, and what it cannot do is refused") {
+  const terminal t;
+  REQUIRE(t.run(tiny + "--out a.png") == 0);
+  const std::string rest = text_of(t.folder / "a.png");
+  REQUIRE(t.run(tiny + "--out b.png --sway 0 --frames 9") == 0);
+  CHECK(text_of(t.folder / "b.png") == rest);
+  std::set<std::string> pictures{rest};
+  for (const std::string options : {"--sway 0.2", "--sway 0.2 --frames 9", "--sway 0.4 --frames 9"}) {
+    CAPTURE(options);
+    REQUIRE(t.run(tiny + "--out b.png --report r.json " + options) == 0);
+    CHECK(pictures.insert(text_of(t.folder / "b.png")).second);
+  }
+  CHECK(text_of(t.folder / "r.json").find("\"sway\": 0.4") != std::string::npos);
+  for (const std::string amplitude : {"-0.1", "1.1", "nan", "much"})
+    t.check_refused(tiny + "--out a.png --sway " + amplitude, "--sway");
+  t.check_refused(tiny + "--out a.png --sway 0.1 --turn 5 --frames 3", "--sway");
+  t.check_refused(tiny + "--out a.png --sway 0.1 --blend sliced", "--sway: --blend sliced");
+  t.check_refused(tiny + "--out a.png --sway 0.1 --blend sliced_clipped:16", "--sway: --blend sliced");
+}
+
 }  // namespace pelage::test

@@ -139,6 +139,11 @@ void session::read_picture(image& picture) {
   device_.download(picture_buffer, std::as_writable_bytes(std::span(picture.pixels)));
 }
 
+void session::read_fibres(std::span<glm::vec4> points, std::span<glm::vec3> tangents) {
+  device_.download(point_buffer, std::as_writable_bytes(points));
+  device_.download(tangent_buffer, std::as_writable_bytes(tangents));
+}
+
 std::vector<device_frame::fragments> session::read_fragments() {
   const std::vector<view_report> last = read_reports();
   if (set_.hair.moves()) tally();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,8 @@ class session {
   /// After the stage's camera has moved: all that depends on it anew.
   void move_camera(const frame_settings& settings);
   void read_picture(image& picture);
+  /// Points and radii of the frame that was drawn last, and tangents; as many as the stage has.
+  void read_fibres(std::span<glm::vec4> points, std::span<glm::vec3> tangents);
   /// One a light with shadows, then the camera's; of hair that moves in the frame that was drawn last.
   [[nodiscard]] std::vector<device_frame::fragments> read_fragments();
 
