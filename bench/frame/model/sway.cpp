@@ -35,20 +35,17 @@ glm::vec3 force_at(const glm::vec3& place, const std::array<float, 3>& phase) {
   return {std::fma(0.15F, ripple, std::fma(0.35F, gust, 0.35F)), std::fma(0.2F, ripple, 0.1F), 0.35F * swirl};
 }
 
-/// How far along each axis the end of an arm moves in any wind of those forces.
+/// How far along each axis the end of an arm is pushed by any wind of those forces. What it moves back along the arm
+/// leaves it between there and the root, for amplitudes of at most 1.
 box range_of(const glm::vec3& arm, float bend) {
   const float square = dot(arm, arm);
   box range{glm::vec3(0.0F), glm::vec3(0.0F)};
   for (int k = 0; k < 3; ++k) {
-    glm::vec2 push(0.0F);
     for (int j = 0; j < 3; ++j) {
       const float share = (k == j ? square : 0.0F) - arm[k] * arm[j];
-      push.x += std::min(share * least_force[j], share * greatest_force[j]);
-      push.y += std::max(share * least_force[j], share * greatest_force[j]);
+      range.lower[k] += 2.0F * bend * std::min(share * least_force[j], share * greatest_force[j]);
+      range.upper[k] += 2.0F * bend * std::max(share * least_force[j], share * greatest_force[j]);
     }
-    const float back = -2.0F * bend * bend * square * arm[k];
-    range.lower[k] = std::min(2.0F * bend * push.x, 0.0F) + std::min(back, 0.0F);
-    range.upper[k] = std::max(2.0F * bend * push.y, 0.0F) + std::max(back, 0.0F);
   }
   return range;
 }
@@ -60,7 +57,7 @@ glm::vec3 wind::moved(const glm::vec3& place, const glm::vec3& root) const {
   const glm::vec3 force = force_at(scale * place, phase);
   const float square = dot(arm, arm);
   const float along = dot(arm, force);
-  // The turn's axis is arm × force; v is tan(angle / 2) times it, in units in which v × arm is this.
+  // A turn about arm × force by an angle of which tangent2 is tan² of the half.
   const glm::vec3 push = bend * (square * force - along * arm);
   const float tangent2 = bend * bend * std::max(std::fma(square, dot(force, force), -(along * along)), 0.0F);
   return place + (2.0F / (1.0F + tangent2)) * (push - tangent2 * arm);
