@@ -4,65 +4,32 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <limits>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "frame/fibres.hpp"
-#include "frame/model/built_in.hpp"
-#include "frame/vulkan/device_frame.hpp"
+#include "frame/on_device.hpp"
 #include "frame/vulkan/session.hpp"
 
 namespace pelage::test {
 
-using namespace frame;
-
-const hair_model& small_hair() {
-  static const hair_model model = make_built_in(120, 12, 1);
-  return model;
-}
-
-frame_settings small_frame(order_method order = order_method::k_buffer) {
-  frame_settings s;
-  s.width = 56;
-  s.height = 44;
+frame_settings swaying_frame(order_method order = order_method::k_buffer) {
+  frame_settings s = small_frame();
   s.k = 4;
   s.order = order;
-  s.opacity = 0.4F;
-  s.fibre_radius = 0.02F;
-  s.on_bust = true;
-  s.shading_spacing = std::numeric_limits<float>::infinity();  // as shaders light segments
   s.sway = 0.2F;
   return s;
 }
 
-/// None, after one line, on a machine without a device, unless one is a must.
-std::optional<device_frame> draw(const frame_settings& settings, std::uint32_t frames,
-                                 const hair_model& model = small_hair()) {
-  try {
-    return draw_frame_on_device(model, settings, frames);
-  } catch (const no_device& e) {
-    MESSAGE("not run: ", e.what());
-    CHECK(std::getenv("PELAGE_DEVICE_REQUIRED") == nullptr);
-    return std::nullopt;
-  }
-}
-
-image on_processor(const frame_settings& settings, std::uint32_t frames, const hair_model& model = small_hair()) {
-  return draw_turn(model, settings, frames, 0.0F, [](const std::string&, double) {}).picture;
-}
-
 TEST_CASE(
     "a device moves points to where the processor does, within eight units in the last place of the model's size") {
-  if (!draw(small_frame(), 1)) return;
+  if (!draw(swaying_frame())) return;
   // The last strand's points lie on each other: its tangents are +y.
-  hair_model model = make_built_in(120, 12, 1);
+  hair_model model = small_hair();
   model.points.insert(model.points.end(), 3, glm::vec3(0.5F));
   model.first_point.push_back(static_cast<std::uint32_t>(model.points.size()));
   for (const float amplitude : {0.05F, 0.3F, 1.0F}) {
-    frame_settings settings = small_frame();
+    frame_settings settings = swaying_frame();
     settings.sway = amplitude;
     stage set = set_up(model, settings);
     frame::vulkan::session on(set, settings);
@@ -89,24 +56,24 @@ TEST_CASE(
 }
 
 TEST_CASE("a frame of moving hair is the processor's except for rounding, and not the first one's") {
-  frame_settings settings = small_frame();
+  frame_settings settings = swaying_frame();
   for (const attenuation passing : {attenuation::constant, attenuation::fresnel}) {
     settings.look.passing = passing;
     if (passing == attenuation::fresnel) settings.opacity = -1.0F;
     const std::optional<device_frame> got = draw(settings, 12);
     if (!got) return;
-    CHECK(compare(got->picture, on_processor(settings, 12)).rms < 0.001);
-    CHECK(compare(got->picture, on_processor(settings, 1)).rms > 0.005);
+    CHECK(compare(got->picture, drawn_here(settings, 12).picture).rms < 0.001);
+    CHECK(compare(got->picture, drawn_here(settings, 1).picture).rms > 0.005);
   }
 }
 
 TEST_CASE("moving hair is drawn twice as the same sequence, by each structure as by the others") {
   std::optional<std::uint64_t> first;
   for (const order_method order :
-       {order_method::k_buffer, order_method::a_buffer, order_method::ordered_list, order_method::atomic_k_buffer,
-        order_method::split_k_buffer, order_method::partial_selection_sort}) {
+       {order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list, order_method::ordered_list,
+        order_method::atomic_k_buffer, order_method::split_k_buffer, order_method::partial_selection_sort}) {
     CAPTURE(static_cast<int>(order));
-    const std::optional<device_frame> got = draw(small_frame(order), 4);
+    const std::optional<device_frame> got = draw(swaying_frame(order), 4);
     if (!got) return;
     CHECK(got->same == 4);
     if (!first) first = got->hash;
@@ -114,7 +81,7 @@ TEST_CASE("moving hair is drawn twice as the same sequence, by each structure as
     for (const device_frame::fragments& v : got->views)
       CHECK(v.refused == 0);
   }
-  CHECK(draw(small_frame(), 3)->hash != *first);
+  CHECK(draw(swaying_frame(), 3)->hash != *first);
 }
 
 TEST_CASE("every way of light and of blending that a device has draws moving hair as the processor does") {
@@ -132,14 +99,14 @@ TEST_CASE("every way of light and of blending that a device has draws moving hai
                    {{}, {}, primitive::line, 0.002}};
   for (const way& w : ways) {
     CAPTURE(static_cast<int>(w.blend.method));
-    frame_settings settings = small_frame();
+    frame_settings settings = swaying_frame();
     settings.shadow = w.shadow;
     settings.blend = w.blend;
     settings.drawn = w.drawn;
     const std::optional<device_frame> got = draw(settings, 3);
     if (!got) return;
     CHECK(got->same == 3);
-    CHECK(compare(got->picture, on_processor(settings, 3)).rms < w.rms);
+    CHECK(compare(got->picture, drawn_here(settings, 3).picture).rms < w.rms);
   }
 }
 
@@ -147,14 +114,14 @@ TEST_CASE("layers of depth are those of the first frame, and what moves beyond g
   for (const shadow_method method :
        {shadow_method::opacity, shadow_method::deep_opacity, shadow_method::deep_opacity_growing}) {
     CAPTURE(static_cast<int>(method));
-    frame_settings settings = small_frame();
+    frame_settings settings = swaying_frame();
     settings.shadow.method = method;
     settings.shadow.layers = 16;
     const std::optional<device_frame> got = draw(settings, 12);
     if (!got) return;
     CHECK(got->same == 12);
-    CHECK(compare(got->picture, on_processor(settings, 12)).rms < 0.01);
-    CHECK(compare(draw(settings, 1)->picture, on_processor(settings, 1)).rms < 0.001);
+    CHECK(compare(got->picture, drawn_here(settings, 12).picture).rms < 0.01);
+    CHECK(compare(draw(settings, 1)->picture, drawn_here(settings, 1).picture).rms < 0.001);
   }
 }
 
@@ -175,29 +142,32 @@ hair_model end_on() {
 
 TEST_CASE("hair that needs more room than its first frame did gets it, loses nothing, and is drawn the same") {
   const hair_model model = end_on();
-  std::optional<std::uint64_t> first;
-  for (const order_method order : {order_method::k_buffer, order_method::a_buffer}) {
-    CAPTURE(static_cast<int>(order));
-    frame_settings settings = small_frame(order);
-    settings.on_bust = false;
-    settings.from = glm::vec2(0.0F);
-    settings.shown = components::translucency;
-    settings.fibre_radius = -1.0F;
-    settings.opacity = -1.0F;
-    settings.sway = 1.0F;
-    settings.width = 96;
-    settings.height = 96;
-    const std::optional<device_frame> got = draw(settings, 8, model);
-    if (!got) return;
-    CHECK(got->redrawn > 0);
-    CHECK(got->same == 8);
-    if (!first) {
-      first = got->hash;
-      CHECK(compare(got->picture, on_processor(settings, 8, model)).rms < 0.001);
+  for (const components shown : {components::translucency, components::full}) {
+    std::optional<std::uint64_t> first;
+    for (const order_method order : {order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list}) {
+      CAPTURE(static_cast<int>(shown));
+      CAPTURE(static_cast<int>(order));
+      frame_settings settings = swaying_frame(order);
+      settings.on_bust = false;
+      settings.from = glm::vec2(0.0F);
+      settings.shown = shown;
+      settings.fibre_radius = -1.0F;
+      settings.opacity = -1.0F;
+      settings.sway = 1.0F;
+      settings.width = 96;
+      settings.height = 96;
+      const std::optional<device_frame> got = draw(settings, 8, model);
+      if (!got) return;
+      CHECK(got->redrawn > 0);
+      CHECK(got->same == 8);
+      if (!first) {
+        first = got->hash;
+        CHECK(compare(got->picture, drawn_here(settings, 8, model).picture).rms < 0.001);
+      }
+      CHECK(got->hash == *first);
+      for (const device_frame::fragments& v : got->views)
+        CHECK(v.refused == 0);
     }
-    CHECK(got->hash == *first);
-    for (const device_frame::fragments& v : got->views)
-      CHECK(v.refused == 0);
   }
 }
 

@@ -89,7 +89,6 @@ void session::move_camera(const frame_settings& settings) {
   if (set_.slices.sorts != sorts_) upload_strands();
   sorts_ = set_.slices.sorts;
   frame_ = {};
-  capacity_ = 0;
   make_buffers();
 }
 
@@ -128,7 +127,6 @@ std::vector<double> session::draw(std::uint32_t frame) {
   std::vector<double> milliseconds = device_.run(frame_.steps);
   for (; !all_fitted(); ++redrawn_) {
     frame_ = {};
-    capacity_ = 0;
     make_buffers();
     milliseconds = device_.run(frame_.steps);
   }
@@ -180,7 +178,7 @@ void session::run(named_steps& to, const view_range& views, const std::string& k
   s.program = &kernel_called(kernel);
   s.invocations = invocations(views, what) * (what == over::subgroups ? device_.subgroup() : 1);
   s.layers = views.end - views.first;
-  s.push = {views.first, capacity_, plan_for(views.first).lists, k_};
+  s.push = {views.first, has_records(views.first) ? records_ : places_, plan_for(views.first).lists, k_};
   to.add({views.name, kernel}, std::move(s));
 }
 
@@ -242,9 +240,9 @@ void session::make_buffers() {
   device_.resize(layer_buffer, layered * sizeof(std::uint32_t));
   measure();
   make_room();
-  const std::uint64_t entries = light_plan_.whole ? capacity_ : texels * k_;
+  const std::uint64_t entries = light_plan_.whole ? places_ : texels * k_;
   const std::uint64_t lists = std::max(light_plan_.lists, camera_plan_.lists);
-  const std::uint64_t links = lists == 0 ? 0 : lists * most + capacity_;
+  const std::uint64_t links = lists == 0 ? 0 : lists * most + std::max(places_, records_);
   if (links > 0xff000000U || entries > 0xffffffffU) {
     throw std::runtime_error("--device vulkan: the frame has more fragments than can be numbered");
   }
@@ -330,13 +328,12 @@ void session::make_room() {
   for (std::uint32_t v = first_view(); v <= camera(); ++v) {
     const plan& p = plan_for(v);
     const std::uint64_t taken = rooms_[v].places;
-    const bool has_records = p.records && v == camera();
     if (!p.runs) {
-      std::uint64_t& of_lists = has_records ? records : places;
+      std::uint64_t& of_lists = has_records(v) ? records : places;
       of_lists = std::max(of_lists, taken);
       continue;
     }
-    if (has_records) {
+    if (has_records(v)) {
       records = taken;
     } else {
       constants_.views[v].first_place = static_cast<std::uint32_t>(places);
@@ -351,7 +348,8 @@ void session::make_room() {
   if (std::max({stamps, places, records}) > 0xffffffffU) {
     throw std::runtime_error("--device vulkan: the frame has more fragments than can be numbered");
   }
-  capacity_ = static_cast<std::uint32_t>(std::max(places, records));
+  places_ = static_cast<std::uint32_t>(places);
+  records_ = static_cast<std::uint32_t>(records);
   device_.resize(pool_buffer, places * 2 * sizeof(std::uint32_t));
   device_.resize(record_buffer, records * 4 * sizeof(std::uint32_t));
   device_.resize(stamp_buffer, stamps * 4 * sizeof(std::uint32_t));

@@ -60,6 +60,8 @@ class session {
   };
   [[nodiscard]] std::uint32_t camera() const { return static_cast<std::uint32_t>(set_.lights.size()); }
   [[nodiscard]] const plan& plan_for(std::uint32_t v) const { return v == camera() ? camera_plan_ : light_plan_; }
+  /// Whether the view's fragments are records, which do not lie in the pool.
+  [[nodiscard]] bool has_records(std::uint32_t v) const { return v == camera() && camera_plan_.records; }
   [[nodiscard]] const view& view_of(std::uint32_t v) const { return v == camera() ? set_.eye : set_.light_views[v]; }
   [[nodiscard]] std::uint64_t pixels(std::uint32_t v) const {
     return static_cast<std::uint64_t>(view_of(v).width) * static_cast<std::uint64_t>(view_of(v).height);
@@ -121,7 +123,8 @@ class session {
   plan camera_plan_;
   std::string shading_;  ///< the kernel, less what its name says of the maps
   scene_block constants_;
-  std::uint32_t capacity_ = 0;
+  std::uint32_t places_ = 0;   ///< in the pool
+  std::uint32_t records_ = 0;  ///< of the camera, for which there is memory
   std::vector<view_report> counted_;
   std::vector<room> rooms_;  ///< that each view has
   std::uint32_t time_ = 0;   ///< the frame that is drawn

@@ -10,7 +10,7 @@ layout(local_size_x_id = 0) in;
 
 layout(push_constant) uniform push_block {
   uint view;           ///< which of scene.views, of a dispatch for several the first
-  uint capacity;       ///< fragments that the pool holds
+  uint capacity;       ///< fragments that the memory of a view with lists holds
   uint lists;          ///< a pixel's lists, of the methods that have them
   uint k;              ///< fragments kept a pixel, for the methods that are not compiled for one
   uint first_segment;  ///< of the slice that is drawn
