@@ -55,12 +55,14 @@
 #include <pelage/core/mixed_bits.hpp>
 #include <pelage/core/real_number.hpp>
 #include <pelage/core/vector_math.hpp>
+#include <pelage/coverage/chord_run.hpp>
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
 #include <pelage/coverage/joint.hpp>
 #include <pelage/coverage/line_width.hpp>
 #include <pelage/coverage/ray_cone.hpp>
 #include <pelage/coverage/segment_quad.hpp>
+#include <pelage/coverage/strand_share.hpp>
 #include <pelage/order/a_buffer.hpp>
 #include <pelage/order/atomic_k_buffer.hpp>
 #include <pelage/order/cascade_k_buffer.hpp>
@@ -150,6 +152,13 @@ template ray_cone<float> orthographic_cone(float, int, pixel_footprint) noexcept
 template float radius_at(ray_cone<float>, float) noexcept;
 template segment_quad<float> expand_segment(const vec3&, const vec3&, float, ray_cone<float>, float, float) noexcept;
 template float reach_at(float, float, ray_cone<float>, float) noexcept;
+template chord_run<float> begin_chord(const vec3&, float, float) noexcept;
+template bool chord_reaches(const chord_run<float>&, const vec3&, float, float) noexcept;
+template chord_run<float> pass_point(const chord_run<float>&, const vec3&, float, float, float) noexcept;
+template vec3 across_run(const chord_run<float>&, const vec3&, float) noexcept;
+template float screen_tolerance(float, float, float, float, float) noexcept;
+template float kept_share(float, float, float) noexcept;
+template float width_factor(float, float) noexcept;
 template float tangent_stretch(float) noexcept;
 template vec3 any_normal(const vec3&) noexcept;
 

@@ -11,12 +11,14 @@
 #include <pelage/core/fragment.hpp>
 #include <pelage/core/math.hpp>
 #include <pelage/core/vector_math.hpp>
+#include <pelage/coverage/chord_run.hpp>
 #include <pelage/coverage/closest_points.hpp>
 #include <pelage/coverage/disc_strip.hpp>
 #include <pelage/coverage/joint.hpp>
 #include <pelage/coverage/line_width.hpp>
 #include <pelage/coverage/ray_cone.hpp>
 #include <pelage/coverage/segment_quad.hpp>
+#include <pelage/coverage/strand_share.hpp>
 
 #include <cmath>
 
@@ -118,6 +120,19 @@ TEST_CASE("Coverage agrees within the stated ulps") {
               out.put(past_joint(first, pixel));
               out.put(owned_by_segment(first, second, pixel));
               out.put(mean_line_width_share(in.f(12), in.f(13)));
+              const chord_run<float> begun = begin_chord(in.v3(6), in.f(12), 1.0F);
+              const chord_run<float> run = pass_point(begun, in.v3(9), in.f(13), 0.5F, 0.25F);
+              out.put(run.along);
+              out.put(run.side);
+              out.put(run.least_slope);
+              out.put(run.greatest_slope);
+              out.put(run.reach);
+              out.put(chord_reaches(run, in.v3(9) + (in.v3(9) - in.v3(6)) + 0.25F * in.v3(3), in.f(13), 0.5F));
+              out.put(screen_tolerance(in.f(12), -in.f(8), 2.0F, 300.0F, 1.25F));
+              const float share = kept_share(in.f(12), in.f(13), 0.01F);
+              out.put(share);
+              out.put(width_factor(0.4F * in.f(14), share));
+              out.put(strand_rank(in.u(12)));
             },
             {{"closest_points along_ray", 1, 0, 80, 1.0F},
              {"closest_points along_segment", 1, 0, 80, 1.0F},
@@ -139,7 +154,15 @@ TEST_CASE("Coverage agrees within the stated ulps") {
              {"tangent_stretch", 1, 0, 8},
              {"past_joint", 1, 0, 0},
              {"owned_by_segment", 1, 0, 0},
-             {"mean_line_width_share", 1, 0, 8}});
+             {"mean_line_width_share", 1, 0, 8},
+             {"pass_point along and side", 6, 0, 16},
+             {"pass_point slopes", 6, 0, 64, 1.0F},
+             {"pass_point reach", 1, 0, 8},
+             {"chord_reaches", 1, bits(), bits()},
+             {"screen_tolerance", 1, 0, 4},
+             {"kept_share", 1, 0, 4},
+             {"width_factor", 1, 0, 64, 1.0F},
+             {"strand_rank", 1, 0, 0}});
   });
 }
 

@@ -3,16 +3,18 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define STRIDE 16u
-#define RESULTS 34u
+#define RESULTS 52u
 #include "table.glsl"
 
 #include "pelage/glsl/core/vector_math.glsl"
+#include "pelage/glsl/coverage/chord_run.glsl"
 #include "pelage/glsl/coverage/closest_points.glsl"
 #include "pelage/glsl/coverage/disc_strip.glsl"
 #include "pelage/glsl/coverage/joint.glsl"
 #include "pelage/glsl/coverage/line_width.glsl"
 #include "pelage/glsl/coverage/ray_cone.glsl"
 #include "pelage/glsl/coverage/segment_quad.glsl"
+#include "pelage/glsl/coverage/strand_share.glsl"
 
 void main() {
   if (outside()) return;
@@ -53,4 +55,16 @@ void main() {
   put(31u, pelage_past_joint(first, pixel));
   put(32u, pelage_owned_by_segment(first, second, pixel));
   put(33u, pelage_mean_line_width_share(radius, disc));
+  const pelage_chord_run begun = pelage_begin_chord(start, radius, 1.0);
+  const pelage_chord_run run = pelage_pass_point(begun, end, disc, 0.5, 0.25);
+  put(34u, run.along);
+  put(37u, run.side);
+  put(40u, run.least_slope);
+  put(43u, run.greatest_slope);
+  put(46u, run.reach);
+  put(47u, pelage_chord_reaches(run, end + (end - start) + 0.25 * direction, disc, 0.5));
+  put(48u, pelage_screen_tolerance(radius, -start.z, 2.0, 300.0, 1.25));
+  put(49u, pelage_kept_share(radius, disc, 0.01));
+  put(50u, pelage_width_factor(0.4 * f(14u), pelage_kept_share(radius, disc, 0.01)));
+  put(51u, pelage_strand_rank(floatBitsToUint(radius)));
 }
