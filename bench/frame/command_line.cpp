@@ -179,6 +179,18 @@ command_line parse_command_line(CLI::App& app, int argc, char** argv) {
   app.add_option("--device", device, "what draws: cpu or vulkan")
       ->check(CLI::IsMember({"cpu", "vulkan"}))
       ->capture_default_str();
+  app.add_option("--segment-error", s.detail.segment,
+                 "neighbouring segments that stay within so many pixels in every view are drawn as one; 0: none are")
+      ->check(CLI::Range(0.0F, 64.0F))
+      ->capture_default_str();
+  app.add_option(
+         "--strand-error", s.detail.strand,
+         "of strands thinner than so many pixels in every view some are drawn, wider, for all; 0: all are drawn")
+      ->check(CLI::Range(0.0F, 64.0F))
+      ->capture_default_str();
+  app.add_option("--crowd", s.crowd, "copies of the model that stand in rows")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
   CLI::Option* frames =
       app.add_option("--frames", c.frames,
                      "drawn by --device vulkan, whose report has their median times, or of --turn or --sway")

@@ -77,6 +77,8 @@ frame_result draw_frame(const stage& set, const frame_settings& settings,
   result.seconds = seconds_since(start);
   result.sorts = set.slices.sorts;
   result.sort_seconds = set.slices.sort_seconds;
+  result.strands = set.strand_count;
+  result.segments = set.fibres.segment_count();
   progress("done", 1.0);
   return result;
 }
@@ -87,7 +89,7 @@ frame_result draw_turn(const hair_model& model, const frame_settings& settings, 
   stage set = set_up(model, settings);
   frame_settings now = settings;
   const glm::vec2 first = set.from;
-  sway(set.hair, frames - 1, set.fibres);
+  if (frames > 1) move_hair(set, settings, frames - 1);
   for (std::uint32_t frame = 1; frame < frames && !set.hair.moves(); ++frame) {
     (void)draw_frame(set, now, progress);
     now.from = turned(first, degrees, frame);

@@ -26,9 +26,11 @@ struct pass_report {
 struct frame_result {
   image picture;
   std::vector<pass_report> passes;
-  double seconds = 0;       ///< all passes, without loading and saving
-  std::uint32_t sorts = 0;  ///< of the slices' order, over all frames of a turn
-  double sort_seconds = 0;  ///< what they took
+  double seconds = 0;          ///< all passes, without loading and saving
+  std::uint32_t sorts = 0;     ///< of the slices' order, over all frames of a turn
+  double sort_seconds = 0;     ///< what they took
+  std::uint32_t strands = 0;   ///< that were drawn
+  std::uint32_t segments = 0;  ///< of those
 };
 
 /// Draws a frame. `progress` is called between passes with their name and the share that is done, [0, 1].

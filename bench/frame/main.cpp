@@ -59,6 +59,9 @@ nlohmann::json report_of(const command_line& c, const hair_model& model) {
           {"components", name_of(c.settings.shown)},
           {"bsdf", name_of(c.settings.look.model)},
           {"attenuation", c.settings.look.passing == attenuation::fresnel ? "fresnel" : "constant"},
+          {"segment_error", c.settings.detail.segment},
+          {"strand_error", c.settings.detail.strand},
+          {"crowd", c.settings.crowd},
           {"k", c.settings.k},
           {"sway", c.settings.sway}};
 }
@@ -81,6 +84,8 @@ nlohmann::json report_of(const frame_result& frame) {
   }
   return {{"seconds", frame.seconds},
           {"peak_bytes", peak_memory()},
+          {"strands_drawn", frame.strands},
+          {"segments_drawn", frame.segments},
           {"slice_sorts", frame.sorts},
           {"slice_sort_seconds", frame.sort_seconds},
           {"passes", passes}};
@@ -100,6 +105,8 @@ nlohmann::json report_of(const device_frame& frame) {
           {"hash", fmt::format("{:016x}", frame.hash)},
           {"device_bytes", frame.bytes},
           {"redrawn", frame.redrawn},
+          {"strands_drawn", frame.strands},
+          {"segments_drawn", frame.segments},
           {"slice_sorts", frame.sorts},
           {"slice_sort_seconds", frame.sort_seconds},
           {"views", views},
@@ -114,6 +121,13 @@ std::pair<std::uint64_t, std::uint64_t> count_fragments(const frame_result& fram
     sum.second += p.order.behind;
   }
   return sum;
+}
+
+/// What is drawn of a model, where that is not all of it once.
+template <class Frame>
+std::string drawn_in(const command_line& c, const Frame& frame) {
+  if (c.settings.crowd == 1 && !c.settings.detail.any()) return {};
+  return fmt::format("{} strands and {} segments drawn, ", frame.strands, frame.segments);
 }
 
 /// Linear red, green and blue, as they are before they become 8 bits.
@@ -175,6 +189,7 @@ void run(const command_line& c) {
   if (c.on_device) {
     device_frame frame = draw_frame_on_device(model, c.settings, c.frames, c.turn);
     report.update(report_of(frame));
+    said += drawn_in(c, frame);
     said +=
         fmt::format("{:.3f} ms on {}, {} of {} frames are {}{:016x}\n", frame.milliseconds, frame.device, frame.same,
                     frame.frames, c.settings.sway > 0.0F ? "the same when drawn again, all together " : "", frame.hash);
@@ -184,6 +199,7 @@ void run(const command_line& c) {
     report.update(report_of(frame));
     report["threads"] = threads;
     const auto [fragments, behind] = count_fragments(frame);
+    said += drawn_in(c, frame);
     said += fmt::format("{:.2f} s, {:.0f} MB at most, {:.1f} million fragments, {:.1f} million of them in tails\n",
                         frame.seconds, static_cast<double>(peak_memory()) / 1e6, static_cast<double>(fragments) / 1e6,
                         static_cast<double>(behind) / 1e6);

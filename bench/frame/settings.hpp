@@ -13,6 +13,7 @@
 #include "frame/blends/blend_choice.hpp"
 #include "frame/order/order_pass.hpp"
 #include "frame/raster/line_in_pixel.hpp"
+#include "frame/scene/detail.hpp"
 #include "frame/scene/lights.hpp"
 #include "frame/shading/camera_film.hpp"
 #include "frame/shading/fibre_bsdf.hpp"
@@ -49,6 +50,8 @@ struct frame_settings {
                                   ///< degrees, elevation in (-90, 90); none: where the hair is seen best
   float sway = 0.0F;              ///< how far a wind moves tips, in shares of the longest strand's reach, [0, 1]
   float distance = 1.0F;          ///< of the camera, in distances from which it just sees all hair, [0.5, 1000]
+  detail_errors detail;           ///< that are allowed to the strands; none: all are drawn as they are
+  std::uint32_t crowd = 1;        ///< copies of the model, [1, 4096]
   bool on_bust = false;           ///< the opaque object is the built-in bust, not a sphere that fits
 };
 

@@ -7,9 +7,11 @@
 #include <numeric>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "frame/base/random.hpp"
 #include "frame/model/bust.hpp"
+#include "frame/model/crowd.hpp"
 
 namespace pelage::frame {
 namespace {
@@ -45,6 +47,9 @@ void check(const frame_settings& s) {
   if (!(s.distance >= 0.5F && s.distance <= 1000.0F)) {
     throw std::invalid_argument("the camera's distance must be in [0.5, 1000]");
   }
+  for (const float error : {s.detail.segment, s.detail.strand})
+    if (!(error >= 0.0F && error <= 64.0F)) throw std::invalid_argument("errors of detail must be in [0, 64] pixels");
+  if (s.crowd < 1 || s.crowd > 4096) throw std::invalid_argument("a crowd has 1 to 4096 copies");
   if (!(s.fibre_radius <= largest)) throw std::invalid_argument("the fibre's radius must be at most 1e12");
 }
 
@@ -85,9 +90,8 @@ sphere sphere_round(const box& bounds) {
   return {0.5F * (bounds.lower + bounds.upper), radius > 0.0F ? radius : 1.0F};
 }
 
-solids opaque_objects(const hair_model& model, const box& bounds, const sphere& round, bool on_bust) {
+solids opaque_objects(const hair_model& model, const box& bounds, bool on_bust) {
   solids s;
-  s.clear = 5.0F * round.radius;
   if (on_bust) {
     s.parts.assign(bust.begin(), bust.end());
     s.floor = -2.75F;
@@ -104,6 +108,7 @@ solids opaque_objects(const hair_model& model, const box& bounds, const sphere& 
 /// Where the hair is seen best: from the front and a little aside, or from beside the middle of hair that grows on one
 /// side of the head. Azimuth and elevation in degrees.
 glm::vec2 best_side(const solids& opaque, const sphere& round, bool on_bust) {
+  if (opaque.copies.size() > 1) return {0.0F, 24.0F};
   if (!on_bust && !opaque.parts.empty()) {
     const ellipsoid& head = opaque.parts.front();
     const glm::vec3 aside = round.centre - head.centre;
@@ -164,11 +169,27 @@ void place_views(stage& s, const frame_settings& settings) {
     s.lights.push_back(place_light(relative, s.round));
     s.light_views.push_back(light_view(s.lights.back(), s.round, texels));
   }
-  const glm::vec3 toward = direction_of(s.from);
-  s.eye = fitted_camera(s.bounds, s.round, toward, settings.distance, settings.width, settings.height,
+  s.eye = fitted_camera(s.bounds, s.round, direction_of(s.from), settings.distance, settings.width, settings.height,
                         settings.antialias ? settings.footprint : pixel_footprint::inscribed);
+}
+
+/// The strands as the views need them.
+void choose_detail(stage& s, const frame_settings& settings) {
+  std::vector<view> drawn{s.eye};
+  if (has_shadows(settings.shown)) drawn.insert(drawn.end(), s.light_views.begin(), s.light_views.end());
+  detailed_strands found =
+      strands_in_detail(s.whole->fibres, s.whole->first_point, s.whole->copies, drawn, settings.detail);
+  s.fibres = std::move(found.fibres);
+  s.strand_count = found.count;
+  s.slices.segments.clear();  // they are others
+}
+
+/// What depends on where the views and the model's strands are: the strands that are drawn, and their orders.
+void choose_strands(stage& s, const frame_settings& settings) {
+  if (s.whole) choose_detail(s, settings);
+  s.drawing_order = drawing_order(s.fibres.segment_count(), settings.shuffle);
   s.slices.slices = is_sliced(settings) ? settings.blend.size : 0;
-  s.slices.update(s.fibres, s.bounds, -toward);
+  s.slices.update(s.fibres, s.bounds, -direction_of(s.from));
 }
 
 glm::vec3 mean(std::span<const glm::vec3> colours) {
@@ -186,13 +207,27 @@ stage set_up(const hair_model& model, const frame_settings& settings) {
   stage s;
   s.hair = make_swaying(model, settings.sway);
   s.bounds = bounds_of(model, s.hair);
+  s.opaque = opaque_objects(model, s.bounds, settings.on_bust);
   s.fibres = prepare_strands(model, {settings.fibre_radius, settings.opacity});
+  s.strand_count = static_cast<std::uint32_t>(model.strand_count());
   sway(s.hair, 0, s.fibres);
+  if (settings.crowd > 1) {
+    const upright_bounds one = upright_bounds::of(model, s.hair, s.opaque.parts);
+    const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+    s.opaque.set_copies(crowd_places(settings.crowd, one, aspect));
+    s.bounds = crowd_bounds(s.opaque.copies, one);
+    check(model, s.bounds);
+  }
+  if (settings.crowd > 1 || settings.detail.any()) {
+    std::vector<placement> copies = s.opaque.copies;
+    if (copies.empty()) copies.emplace_back();
+    s.whole = whole_model{std::move(s.fibres), model.first_point, std::move(copies)};
+  }
   s.round = sphere_round(s.bounds);
-  s.drawing_order = drawing_order(s.fibres.segment_count(), settings.shuffle);
-  s.opaque = opaque_objects(model, s.bounds, s.round, settings.on_bust);
+  s.opaque.clear = 5.0F * s.round.radius;
   s.sky = glm::vec3(0.62F, 0.66F, 0.72F);
   place_views(s, settings);
+  choose_strands(s, settings);
   return s;
 }
 
@@ -210,10 +245,17 @@ line_depths line_depths_of(const stage& s, const view& from) {
 void move_camera(stage& s, const frame_settings& settings) {
   check(settings);
   place_views(s, settings);
+  choose_strands(s, settings);
+}
+
+void move_hair(stage& s, const frame_settings& settings, std::uint32_t frame) {
+  if (!s.hair.moves()) return;
+  sway(s.hair, frame, s.whole ? s.whole->fibres : s.fibres);
+  choose_strands(s, settings);
 }
 
 fibre_bsdf make_bsdf(const stage& set, const fibre_look& look) {
-  return {look, mean(set.fibres.colour)};
+  return {look, mean(set.whole ? set.whole->fibres.colour : set.fibres.colour)};
 }
 
 }  // namespace pelage::frame

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "frame/model/hair_model.hpp"
+#include "frame/model/placement.hpp"
 #include "frame/model/strands.hpp"
 #include "frame/model/sway.hpp"
 #include "frame/order/slice_order.hpp"
@@ -15,12 +17,21 @@
 
 namespace pelage::frame {
 
+/// A model's strands before copies and detail.
+struct whole_model {
+  strands fibres;
+  std::vector<std::uint32_t> first_point;  ///< as in hair_model
+  std::vector<placement> copies;           ///< where it stands
+};
+
 /// All that stands before the lights and the camera, and where those stand: what a frame draws on any device.
 struct stage {
+  std::optional<whole_model> whole;  ///< of a crowd, or with detail_errors; else `fibres` are the model's
   strands fibres;
-  swaying_hair hair;  ///< of the fibres, where a wind blows
-  box bounds;         ///< of the fibres, wherever the wind takes them
-  sphere round;       ///< round that
+  swaying_hair hair;               ///< of the model's fibres, where a wind blows
+  std::uint32_t strand_count = 0;  ///< of the fibres
+  box bounds;                      ///< of all copies of the model, wherever the wind takes their fibres
+  sphere round;                    ///< round that
   solids opaque;
   glm::vec3 sky;                             ///< light from all sides, linear RGB
   std::vector<light> lights;                 ///< placed
@@ -40,8 +51,11 @@ struct stage {
 [[nodiscard]] line_depths line_depths_of(const stage& s, const view& from);
 
 /// Moves the camera, and lights that go with it, to where the settings say: afterwards a stage is as set_up() makes it,
-/// except that the slices' order stays until it is stale.
+/// except that the slices' order of strands without detail stays until it is stale.
 void move_camera(stage& s, const frame_settings& settings);
+
+/// Moves the hair to where the wind has it in a frame; nothing where none blows.
+void move_hair(stage& s, const frame_settings& settings, std::uint32_t frame);
 
 /// How the stage's fibres scatter light. Throws as fibre_bsdf does.
 [[nodiscard]] fibre_bsdf make_bsdf(const stage& set, const fibre_look& look);

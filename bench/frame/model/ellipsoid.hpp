@@ -51,9 +51,9 @@ template <class Real>
 
 // ---------------------------------------------------------------------------------------------------------
 
-/// The normals of the parts whose surfaces pass close to p, a point on one of them, weighted by nearness.
+/// The normals of the parts whose surfaces pass close to p, weighted by nearness and summed.
 template <class Real>
-[[nodiscard]] glm::vec<3, Real> shading_normal(std::span<const ellipsoid> parts, const glm::vec<3, Real>& p) {
+[[nodiscard]] glm::vec<3, Real> sum_of_normals(std::span<const ellipsoid> parts, const glm::vec<3, Real>& p) {
   constexpr float reach = 0.12F;
   const glm::vec<3, Real> none(Real(0.0F));
   glm::vec<3, Real> sum = none;
@@ -61,7 +61,7 @@ template <class Real>
     const Real nearness = Real(1.0F) - absolute(part.level(p) - Real(1.0F)) / Real(reach);
     sum = sum + select(nearness > Real(0.0F), part.normal(p) * (nearness * nearness), none);
   }
-  return unit_vector(sum);
+  return sum;
 }
 
 template <class Real>
@@ -89,7 +89,7 @@ surface_hit<Real> hit_ellipsoids(std::span<const ellipsoid> parts, const glm::ve
                                  const glm::vec<3, Real>& direction) {
   const Real nearest = first_entry(parts, origin, direction);
   if (!holds_for_any(nearest < Real(std::numeric_limits<float>::infinity()))) return {nearest, {}};
-  return {nearest, shading_normal(parts, origin + nearest * direction)};
+  return {nearest, unit_vector(sum_of_normals(parts, origin + nearest * direction))};
 }
 
 }  // namespace pelage::frame

@@ -37,7 +37,7 @@ glm::vec3 force_at(const glm::vec3& place, const std::array<float, 3>& phase) {
 
 /// How far along each axis the end of an arm is pushed by any wind of those forces. What it moves back along the arm
 /// leaves it between there and the root, for amplitudes of at most 1.
-box range_of(const glm::vec3& arm, float bend) {
+box range_of_push(const glm::vec3& arm, float bend) {
   const float square = dot(arm, arm);
   box range{glm::vec3(0.0F), glm::vec3(0.0F)};
   for (int k = 0; k < 3; ++k) {
@@ -72,6 +72,13 @@ wind swaying_hair::wind_at(std::uint32_t frame) const {
   return now;
 }
 
+box swaying_hair::range_of(const rest_point& p) const {
+  const glm::vec3& root = rest[p.root].place;
+  const box push = range_of_push(p.place - root, 0.5F * amplitude / reach);
+  const glm::vec3 rounding = 1e-5F * (glm::abs(p.place) + reach);
+  return {glm::min(root, p.place + push.lower) - rounding, glm::max(root, p.place + push.upper) + rounding};
+}
+
 swaying_hair make_swaying(const hair_model& model, float amplitude) {
   swaying_hair hair;
   if (!(amplitude > 0.0F)) return hair;
@@ -91,12 +98,10 @@ swaying_hair make_swaying(const hair_model& model, float amplitude) {
 
 box bounds_of(const hair_model& model, const swaying_hair& hair) {
   box all = model.bounds();
-  const float bend = 0.5F * hair.amplitude / hair.reach;
   for (const rest_point& p : hair.rest) {
-    const box range = range_of(p.place - hair.rest[p.root].place, bend);
-    const glm::vec3 rounding = 1e-5F * (glm::abs(p.place) + hair.reach);
-    all.lower = glm::min(all.lower, p.place + range.lower - rounding);
-    all.upper = glm::max(all.upper, p.place + range.upper + rounding);
+    const box range = hair.range_of(p);
+    all.lower = glm::min(all.lower, range.lower);
+    all.upper = glm::max(all.upper, range.upper);
   }
   return all;
 }

@@ -40,6 +40,9 @@ struct swaying_hair {
 
   /// The wind in a frame, 1/30 s after the one before.
   [[nodiscard]] wind wind_at(std::uint32_t frame) const;
+
+  /// A box that holds a point of the hair whatever the wind's time.
+  [[nodiscard]] box range_of(const rest_point& p) const;
 };
 
 /// `amplitude`: [0, 1]; hair does not move at 0. O(points).

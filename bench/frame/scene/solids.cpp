@@ -2,9 +2,47 @@
 // SPDX-License-Identifier: MIT
 #include "frame/scene/solids.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pelage::frame {
+
+body_sphere body_sphere::round(std::span<const ellipsoid> parts) {
+  if (parts.empty()) return {};
+  box all;
+  for (const ellipsoid& part : parts) {
+    all.lower = glm::min(all.lower, part.centre - part.radii);
+    all.upper = glm::max(all.upper, part.centre + part.radii);
+  }
+  body_sphere found{0.5F * (all.lower + all.upper), 0.0F};
+  for (const ellipsoid& part : parts) {
+    const float greatest = std::max({part.radii.x, part.radii.y, part.radii.z});
+    found.radius = std::max(found.radius, glm::length(part.centre - found.centre) + 1.15F * greatest);
+  }
+  return found;
+}
+
+body_sphere body_sphere::round(std::span<const body_sphere> bodies) {
+  body_sphere found;
+  for (const body_sphere& body : bodies)
+    found.centre += body.centre / static_cast<float>(bodies.size());
+  for (const body_sphere& body : bodies)
+    found.radius = std::max(found.radius, 1.0001F * (glm::length(body.centre - found.centre) + body.radius));
+  return found;
+}
+
+void solids::set_copies(std::span<const placement> places) {
+  const body_sphere one = body_sphere::round(parts);
+  copies.assign(places.begin(), places.end());
+  bodies.clear();
+  clusters.clear();
+  for (const placement& place : copies)
+    bodies.push_back({place.to_world(one.centre), one.radius});
+  for (std::size_t first = 0; first < bodies.size(); first += cluster_size) {
+    const std::size_t count = std::min(cluster_size, bodies.size() - first);
+    clusters.push_back(body_sphere::round(std::span<const body_sphere>(bodies).subspan(first, count)));
+  }
+}
 
 std::optional<ellipsoid> fit_head(const hair_model& model) {
   const box bounds = model.bounds();

@@ -103,6 +103,8 @@ device_frame draw_frame_on_device(const hair_model& model, const frame_settings&
   result.views = on.read_fragments();
   result.sorts = set.slices.sorts;
   result.sort_seconds = set.slices.sort_seconds;
+  result.strands = set.strand_count;
+  result.segments = set.fibres.segment_count();
   return result;
 }
 

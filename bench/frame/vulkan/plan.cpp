@@ -226,6 +226,11 @@ void check_settings(const frame_settings& s) {
   if (std::find(std::begin(any_k), std::end(any_k), s.k) == std::end(any_k)) {
     throw std::runtime_error("--device vulkan: --k must be 4, 8, 16, 32 or 64");
   }
+  if (s.sway > 0.0F && (s.crowd > 1 || s.detail.any())) {
+    throw std::runtime_error(
+        "--device vulkan: --sway moves the model's strands on the device; --segment-error, --strand-error and --crowd "
+        "make others of them on the CPU");
+  }
   for (const bool camera : {false, true})
     (void)plan_of(s, camera);
 }

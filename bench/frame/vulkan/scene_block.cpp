@@ -62,6 +62,9 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
   if (set.opaque.parts.size() > scene_block::most_parts) {
     throw std::runtime_error(fmt::format("--device vulkan: at most {} opaque objects", scene_block::most_parts));
   }
+  if (set.opaque.copies.size() > scene_block::most_copies) {
+    throw std::runtime_error(fmt::format("--device vulkan: a crowd of at most {} copies", scene_block::most_copies));
+  }
   scene_block b{};
   std::uint32_t pixels = 0;
   std::uint32_t blocks = 0;
@@ -84,6 +87,13 @@ scene_block make_scene_block(const stage& set, const frame_settings& settings) {
   }
   for (std::size_t i = 0; i < set.opaque.parts.size(); ++i)
     b.parts[i] = {set.opaque.parts[i].centre, 0.0F, set.opaque.parts[i].radii, 0.0F};
+  b.copy_count = static_cast<std::uint32_t>(set.opaque.copies.size());
+  for (std::size_t i = 0; i < set.opaque.copies.size(); ++i) {
+    b.copies[i] = {set.opaque.copies[i].at, set.opaque.copies[i].cosine, set.opaque.copies[i].sine};
+    b.bodies[i] = {set.opaque.bodies[i].centre, set.opaque.bodies[i].radius};
+  }
+  for (std::size_t i = 0; i < set.opaque.clusters.size(); ++i)
+    b.clusters[i] = {set.opaque.clusters[i].centre, set.opaque.clusters[i].radius};
   b.sky = set.sky;
   b.light_count = static_cast<std::uint32_t>(set.lights.size());
   b.centre = set.round.centre;

@@ -14,6 +14,7 @@ namespace pelage::frame::vulkan {
 struct scene_block {
   static constexpr std::size_t most_lights = 8;
   static constexpr std::size_t most_parts = 8;
+  static constexpr std::size_t most_copies = 128;
 
   struct view_block {
     glm::vec3 right;
@@ -56,6 +57,15 @@ struct scene_block {
     glm::vec3 radii;
     float unused1;
   };
+  struct copy_block {
+    glm::vec2 at;
+    float cosine;
+    float sine;
+  };
+  struct sphere_block {
+    glm::vec3 centre;
+    float radius;
+  };
 
   std::array<view_block, most_lights + 1> views;
   std::array<light_block, most_lights> lights;
@@ -79,10 +89,14 @@ struct scene_block {
   glm::vec3 ambient;
   float specular;
   float exponent;
-  std::array<std::uint32_t, 3> unused;
+  std::uint32_t copy_count;
+  std::array<std::uint32_t, 2> unused;
+  std::array<copy_block, most_copies> copies;
+  std::array<sphere_block, most_copies> bodies;
+  std::array<sphere_block, most_copies / solids::cluster_size> clusters;
 };
 static_assert(sizeof(scene_block::view_block) == 144 && sizeof(scene_block::light_block) == 48 &&
-              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 2064);
+              sizeof(scene_block::ellipsoid_block) == 32 && sizeof(scene_block) == 6416);
 
 /// The constants of a frame; views[i].first_pixel and first_block count those of the views before. What depends on the
 /// number of fragments is 0.

@@ -86,7 +86,10 @@ void session::move_camera(const frame_settings& settings) {
   constants_ = make_scene_block(set_, settings);
   place_layers(constants_, set_, settings);
   upload_constants();
-  if (set_.slices.sorts != sorts_) upload_strands();
+  if (set_.whole || set_.slices.sorts != sorts_) {
+    upload_strands();
+    upload_bsdf(device_, make_bsdf(set_, settings.look), set_.fibres.point.size());
+  }
   sorts_ = set_.slices.sorts;
   frame_ = {};
   make_buffers();

@@ -63,6 +63,17 @@ struct ellipsoid_block {
   float unused1;
 };
 
+struct copy_block {
+  vec2 at;  ///< x and z
+  float cosine;
+  float sine;
+};
+
+struct sphere_block {
+  vec3 centre;
+  float radius;
+};
+
 struct view_report {
   uint fragments;  ///< in runs
   uint longest;    ///< fragments of the pixel that has most
@@ -95,7 +106,13 @@ layout(std140, binding = 0) uniform scene_block {
   vec3 ambient;
   float specular;  ///< K_s
   float exponent;  ///< p
+  uint copy_count;  ///< of all parts; 0: they stand as they are
+  copy_block copies[128];
+  sphere_block bodies[128];   ///< one a copy
+  sphere_block clusters[16];  ///< of cluster_size copies each
 } scene;
+
+const uint cluster_size = 8u;
 
 // What a segment's word holds beside its first point.
 const uint begins_strand = 0x80000000u;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
-// The opaque objects and what a ray meets of them, as bench/frame/scene/solids.hpp and model/ellipsoid.hpp have it.
+// The opaque objects and what a ray meets of them, as bench/frame/scene/solids.hpp, model/ellipsoid.hpp and
+// placement.hpp have it.
 #ifndef PELAGE_FRAME_SOLIDS_GLSL
 #define PELAGE_FRAME_SOLIDS_GLSL
 #include "projection.glsl"
@@ -10,8 +11,31 @@ struct solid_hit {
   bool is_floor;
 };
 
-/// Where a ray first enters a part. Entries count that lie at most `within` of a part's first radius before the origin.
-float first_entry(vec3 origin, vec3 direction, float within) {
+vec3 turned_copy(uint i, vec3 d) {
+  const float c = scene.copies[i].cosine;
+  const float s = scene.copies[i].sine;
+  return vec3(c * d.x + s * d.z, d.y, c * d.z - s * d.x);
+}
+
+vec3 turned_back(uint i, vec3 d) {
+  const float c = scene.copies[i].cosine;
+  const float s = scene.copies[i].sine;
+  return vec3(c * d.x - s * d.z, d.y, c * d.z + s * d.x);
+}
+
+vec3 place_of_copy(uint i) {
+  return vec3(scene.copies[i].at.x, 0.0, scene.copies[i].at.y);
+}
+
+/// False where a ray's line passes the sphere by.
+bool is_met(sphere_block body, vec3 origin, vec3 direction) {
+  const vec3 from = origin - body.centre;
+  const float along = dot(from, direction);
+  return dot(from, from) - along * along / dot(direction, direction) < body.radius * body.radius;
+}
+
+/// Where a ray first enters a part of a body. Entries count that lie at most `within` of a part's first radius before the origin.
+float entry_of_parts(vec3 origin, vec3 direction, float within) {
   float nearest = uintBitsToFloat(0x7f800000u);
   for (uint i = 0u; i < scene.part_count; ++i) {
     const vec3 o = (origin - scene.parts[i].centre) / scene.parts[i].radii;
@@ -24,6 +48,26 @@ float first_entry(vec3 origin, vec3 direction, float within) {
       const float t = -half_b / a - sqrt(depth / a);
       if (t > -within * scene.parts[i].radii.x) {
         nearest = min(nearest, t);
+      }
+    }
+  }
+  return nearest;
+}
+
+/// Where a ray first enters a body.
+float first_entry(vec3 origin, vec3 direction, float within) {
+  if (scene.copy_count == 0u) {
+    return entry_of_parts(origin, direction, within);
+  }
+  float nearest = uintBitsToFloat(0x7f800000u);
+  for (uint first = 0u; first < scene.copy_count; first += cluster_size) {
+    if (!is_met(scene.clusters[first / cluster_size], origin, direction)) {
+      continue;
+    }
+    for (uint i = first; i < min(first + cluster_size, scene.copy_count); ++i) {
+      if (is_met(scene.bodies[i], origin, direction)) {
+        const vec3 origin_there = turned_back(i, origin - place_of_copy(i));
+        nearest = min(nearest, entry_of_parts(origin_there, turned_back(i, direction), within));
       }
     }
   }
@@ -48,8 +92,8 @@ float free_way(vec3 surface, vec3 direction) {
   return min(first_entry(surface, direction, rounding), fall(surface, direction));
 }
 
-/// The normals of the parts whose surfaces pass close to p, weighted by nearness.
-vec3 shading_normal(vec3 p) {
+/// The normals of the parts whose surfaces pass close to p, weighted by nearness and summed.
+vec3 sum_of_normals(vec3 p) {
   const float reach = 0.12;
   vec3 sum = vec3(0.0);
   for (uint i = 0u; i < scene.part_count; ++i) {
@@ -58,6 +102,20 @@ vec3 shading_normal(vec3 p) {
     const float nearness = 1.0 - abs(length(from / radii) - 1.0) / reach;
     if (nearness > 0.0) {
       sum += normalize(from / (radii * radii)) * (nearness * nearness);
+    }
+  }
+  return sum;
+}
+
+vec3 shading_normal(vec3 p) {
+  if (scene.copy_count == 0u) {
+    return normalize(sum_of_normals(p));
+  }
+  vec3 sum = vec3(0.0);
+  for (uint i = 0u; i < scene.copy_count; ++i) {
+    const vec3 from = p - scene.bodies[i].centre;
+    if (dot(from, from) < scene.bodies[i].radius * scene.bodies[i].radius) {
+      sum += turned_copy(i, sum_of_normals(turned_back(i, p - place_of_copy(i))));
     }
   }
   return normalize(sum);
