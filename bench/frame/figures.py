@@ -2,49 +2,16 @@
 # SPDX-License-Identifier: MIT
 """Renders the frames of the README's figures with pelage-frame and puts them side by side."""
 import argparse
-import json
 import pathlib
-import subprocess
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.image
-import matplotlib.pyplot
+from sheets import sheets
 
 arguments = argparse.ArgumentParser()
 arguments.add_argument("root", type=pathlib.Path)
 arguments.add_argument("--hair", type=pathlib.Path)
 given = arguments.parse_args()
-
-scratch = given.root / "out" / "figures"
-pictures = given.root / "bench" / "frame" / "pictures"
-scratch.mkdir(parents=True, exist_ok=True)
-pictures.mkdir(parents=True, exist_ok=True)
-
-
-def render(name, *options):
-    """Draws one frame; returns its picture's path and its report."""
-    picture, report = scratch / f"{name}.png", scratch / f"{name}.json"
-    program = given.root / "build" / "release" / "bench" / "frame" / "pelage-frame"
-    command = [program, "--out", picture, "--report", report, *options]
-    subprocess.run([str(word) for word in command], check=True)
-    return picture, json.loads(report.read_text())
-
-
-def side_by_side(name, rows):
-    """rows: lists of (title, picture); one figure of them all."""
-    columns = max(len(row) for row in rows)
-    figure, axes = matplotlib.pyplot.subplots(
-        len(rows), columns, figsize=(3.2 * columns, 3.45 * len(rows)), squeeze=False)
-    for row, line in zip(axes, rows):
-        for axis, (title, picture) in zip(row, line):
-            axis.imshow(matplotlib.image.imread(picture))
-            axis.set_title(title, fontsize=9)
-            axis.set_axis_off()
-    figure.tight_layout(pad=0.4)
-    figure.savefig(pictures / f"{name}.png", dpi=110)
-
+drawing = sheets(given.root)
+render, side_by_side, pictures = drawing.render, drawing.side_by_side, drawing.pictures
 
 frame, report = render("frame")
 (pictures / "frame.png").write_bytes(frame.read_bytes())

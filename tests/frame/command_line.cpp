@@ -57,6 +57,25 @@ TEST_CASE("the report has every pass with its fragments, longest list, memory an
   }
 }
 
+TEST_CASE("errors of detail and a crowd say how much is drawn, and without them the file is the same") {
+  const terminal t;
+  REQUIRE(t.run(tiny + "--out a.png --report a.json") == 0);
+  CHECK(t.printed().find(" drawn, ") == std::string::npos);
+  REQUIRE(t.run(tiny + "--out b.png --segment-error 0 --strand-error 0 --crowd 1") == 0);
+  CHECK(text_of(t.folder / "a.png") == text_of(t.folder / "b.png"));
+  const nlohmann::json full = nlohmann::json::parse(text_of(t.folder / "a.json"));
+  CHECK(full["strands_drawn"] == 60);
+  CHECK(full["segments_drawn"] == 360);
+  REQUIRE(t.run(tiny + "--out c.png --segment-error 2 --strand-error 4 --crowd 3 --report c.json") == 0);
+  CHECK(t.printed().find(" drawn, ") != std::string::npos);
+  const nlohmann::json few = nlohmann::json::parse(text_of(t.folder / "c.json"));
+  CHECK(few["strands"] == 60);
+  CHECK(few["crowd"] == 3);
+  CHECK(few["strands_drawn"] > 0);
+  CHECK(few["strands_drawn"] < 180);
+  CHECK(few["segments_drawn"] < 1080);
+}
+
 TEST_CASE("structures, threads and drawing orders leave the same file; other options leave another") {
   const terminal t;
   REQUIRE(t.run(tiny + "--out a.png") == 0);
@@ -160,6 +179,13 @@ TEST_CASE("an option that cannot be is refused in one line, and nothing is writt
   t.check_refused("--out a.png --shadow opacity:0", "--shadow 'opacity:0': opacity must be followed by :N");
   t.check_refused("--out a.png --shadow deep:nan", "--shadow 'deep:nan'");
   t.check_refused("--out a.png --tail sliced:5", "--tail 'sliced:5': sliced must be followed by :N");
+  for (const std::string error : {"-1", "65", "x"}) {
+    t.check_refused("--out a.png --segment-error " + error, "--segment-error");
+    t.check_refused("--out a.png --strand-error " + error, "--strand-error");
+  }
+  t.check_refused(tiny + "--out a.png --segment-error nan", "errors of detail");
+  t.check_refused("--out a.png --crowd 0", "--crowd");
+  t.check_refused("--out a.png --crowd 4096 --strands 20000 --segments 48 --size 24", "the crowd would need ");
   t.check_refused("--out a.png --tail none --blend exact", "--tail needs --blend k_buffer");
   t.check_refused("--out a.png --tail sliced:16 --device vulkan", "--tail: --device vulkan keeps the mean");
   t.check_refused("--out a.png --blend stochastic:x", "--blend 'stochastic:x': stochastic must be followed by :N");

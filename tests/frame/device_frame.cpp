@@ -244,4 +244,28 @@ TEST_CASE("What the shaders do not have is refused in one line") {
   CHECK(refusal(settings).empty());  // nothing is
 }
 
+TEST_CASE("a device draws fewer strands and segments, and a crowd, as the CPU does, from each place of a turn") {
+  frame_settings settings = ordered_frame(order_method::k_buffer, 16);
+  settings.detail = {0.5F, 0.8F};
+  settings.crowd = 3;
+  settings.from = glm::vec2(30.0F, 20.0F);
+  frame_settings turned = settings;
+  turned.from = glm::vec2(0.0F, 20.0F);
+  const std::optional<device_frame> first = draw(settings);
+  if (!first) return;
+  const frame_result expected = drawn_here(settings);
+  CHECK(first->strands == expected.strands);
+  CHECK(first->segments == expected.segments);
+  CHECK(first->segments < 3 * small_hair().segment_count());
+  CHECK(compare(first->picture, expected.picture).rms < 0.0003);
+  CHECK(same_bits(draw(turned, 3, small_hair(), 15.0F)->picture.pixels, first->picture.pixels));
+}
+
+TEST_CASE("a crowd that a device's constants do not hold is refused") {
+  frame_settings settings = ordered_frame(order_method::k_buffer, 16);
+  settings.crowd = 129;
+  settings.detail.strand = 8.0F;
+  CHECK(refusal(settings).find("a crowd of at most 128") != std::string::npos);
+}
+
 }  // namespace pelage::test
