@@ -9,7 +9,7 @@ from sheets import sheets
 
 arguments = argparse.ArgumentParser()
 arguments.add_argument("root", type=pathlib.Path)
-arguments.add_argument("--times", type=int, default=3, help="frames of each setting, whose median time is told")
+arguments.add_argument("--times", type=int, default=5, help="frames of each setting, whose median time is told")
 given = arguments.parse_args()
 drawing = sheets(given.root)
 
