@@ -180,4 +180,31 @@ TEST_CASE("roots that lie on no head have none") {
   });
 }
 
+TEST_CASE("copies that only moved are met as parts of their own would be, however many") {
+  holds("against parts", [] {
+    solids one = any_solids();
+    one.floor.reset();
+    RC_PRE(!one.parts.empty());
+    std::vector<placement> places;
+    solids apart;
+    for (int i = *rc::gen::inRange(1, 30); i > 0; --i) {
+      const placement p{
+          {20.0F * static_cast<float>(i % 6), any_float(-2.0F, 2.0F) - 20.0F * static_cast<float>(i / 6)}};
+      places.push_back(p);
+      for (const ellipsoid& part : one.parts)
+        apart.parts.push_back({p.to_world(part.centre), part.radii});
+    }
+    one.set_copies(places);
+    const glm::vec3 origin = any_vec3(-150.0F, 150.0F);
+    const std::size_t aimed = *rc::gen::inRange<std::size_t>(0, apart.parts.size());
+    const glm::vec3 direction = glm::normalize(apart.parts[aimed].centre + any_vec3(-2.0F, 2.0F) - origin);
+    const solid_hit<float> hit = one.hit(origin, direction);
+    const solid_hit<float> expected = apart.hit(origin, direction);
+    RC_ASSERT(is_hit(hit) == is_hit(expected));
+    if (!is_hit(hit)) return;
+    RC_ASSERT(std::abs(hit.distance - expected.distance) < 0.02F);
+    RC_ASSERT(glm::dot(hit.normal, expected.normal) > 0.98F);
+  });
+}
+
 }  // namespace pelage::test
