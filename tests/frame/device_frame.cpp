@@ -242,6 +242,13 @@ TEST_CASE("What the shaders do not have is refused in one line") {
   CHECK(refusal(settings).find("--order full_sort") != std::string::npos);  // maps are made by it
   settings.shadow.method = shadow_method::occupancy;
   CHECK(refusal(settings).empty());  // nothing is
+  for (const detail_errors errors : {detail_errors{0.0F, 0.0F}, {0.5F, 0.0F}, {0.0F, 0.5F}}) {
+    settings = ordered_frame(order_method::k_buffer, 8);
+    settings.sway = 0.1F;
+    settings.detail = errors;
+    settings.crowd = errors.any() ? 1 : 2;
+    CHECK(refusal(settings).find("--device vulkan: --sway") != std::string::npos);
+  }
 }
 
 TEST_CASE("a device draws fewer strands and segments, and a crowd, as the CPU does, from each place of a turn") {

@@ -53,7 +53,9 @@ TEST_CASE(
   REQUIRE(t.run(tiny + "--out b.png --sway 0 --frames 9") == 0);
   CHECK(text_of(t.folder / "b.png") == rest);
   std::set<std::string> pictures{rest};
-  for (const std::string options : {"--sway 0.2", "--sway 0.2 --frames 9", "--sway 0.4 --frames 9"}) {
+  for (const std::string options :
+       {"--sway 0.2", "--sway 0.2 --frames 9", "--sway 0.2 --frames 9 --crowd 2",
+        "--sway 0.2 --frames 9 --segment-error 1 --strand-error 4", "--sway 0.4 --frames 9"}) {
     CAPTURE(options);
     REQUIRE(t.run(tiny + "--out b.png --report r.json " + options) == 0);
     CHECK(pictures.insert(text_of(t.folder / "b.png")).second);

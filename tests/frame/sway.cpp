@@ -10,6 +10,7 @@
 #include "frame/fibres.hpp"
 #include "frame/frame.hpp"
 #include "frame/model/built_in.hpp"
+#include "frame/model/crowd.hpp"
 
 namespace pelage::test {
 
@@ -49,6 +50,7 @@ TEST_CASE("no point moves farther than the amplitude's share of what bends, nor 
     const blown_lines lines;
     const strands fibres = lines.moved();
     const box bounds = bounds_of(lines.model, lines.hair);
+    const upright_bounds upright = upright_bounds::of(lines.model, lines.hair, {});
     const auto amplitude = static_cast<double>(lines.hair.amplitude);
     const auto reach = static_cast<double>(lines.hair.reach);
     for (std::size_t i = 0; i < fibres.point.size(); ++i) {
@@ -56,6 +58,13 @@ TEST_CASE("no point moves farther than the amplitude's share of what bends, nor 
       RC_ASSERT(way <= amplitude * lines.arm(i) * lines.arm(i) / reach + 1e-5);
       RC_ASSERT(glm::all(glm::lessThanEqual(bounds.lower, fibres.point[i])));
       RC_ASSERT(glm::all(glm::lessThanEqual(fibres.point[i], bounds.upper)));
+      const box range = lines.hair.range_of(lines.hair.rest[i]);
+      RC_ASSERT(glm::all(glm::lessThanEqual(range.lower, fibres.point[i])));
+      RC_ASSERT(glm::all(glm::lessThanEqual(fibres.point[i], range.upper)));
+      const glm::vec2 aside = glm::vec2(fibres.point[i].x, fibres.point[i].z) - upright.axis;
+      RC_ASSERT(glm::length(aside) <= upright.radius);
+      RC_ASSERT(fibres.point[i].y >= upright.lower);
+      RC_ASSERT(fibres.point[i].y <= upright.upper);
     }
   });
 }
@@ -138,10 +147,39 @@ TEST_CASE("moving hair is drawn as the same bits on any number of threads, shuff
   frame_settings settings = small_frame();
   settings.sway = 0.2F;
   const image one = on_threads(1, [&] { return draw(settings, 3); }).picture;
-  for (const order_method order : {order_method::k_buffer, order_method::a_buffer, order_method::atomic_k_buffer}) {
+  for (const order_method order :
+       {order_method::k_buffer, order_method::a_buffer, order_method::unrolled_list, order_method::atomic_k_buffer}) {
     settings.order = order;
     settings.shuffle += 5;
     CHECK(same_bits(on_threads(3, [&] { return draw(settings, 3); }).picture.pixels, one.pixels));
+  }
+}
+
+TEST_CASE("moving hair in less detail, of one head or a crowd, is the same bits on any number of threads, shuffled") {
+  for (const std::uint32_t crowd : {1U, 3U}) {
+    CAPTURE(crowd);
+    frame_settings settings = small_frame();
+    settings.sway = 0.2F;
+    settings.detail = {0.5F, 2.0F};
+    settings.crowd = crowd;
+    const frame_result first = on_threads(1, [&] { return draw(settings, 3); });
+    CHECK(first.strands < crowd * 60);
+    CHECK(first.segments < 8 * first.strands);
+    CHECK_FALSE(same_bits(draw(settings, 2).picture.pixels, first.picture.pixels));
+    settings.shuffle = 5;
+    CHECK(same_bits(on_threads(3, [&] { return draw(settings, 3); }).picture.pixels, first.picture.pixels));
+  }
+}
+
+TEST_CASE(
+    "the wind moves the strands from which those to draw are chosen: all of them are the picture without errors") {
+  frame_settings settings = small_frame();
+  settings.sway = 0.2F;
+  for (const std::uint32_t frames : {1U, 9U}) {
+    settings.detail = {};
+    const image all = draw(settings, frames).picture;
+    settings.detail.strand = 1e-6F;  // all strands are wider
+    CHECK(same_bits(draw(settings, frames).picture.pixels, all.pixels));
   }
 }
 
