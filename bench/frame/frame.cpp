@@ -79,6 +79,7 @@ frame_result draw_frame(const stage& set, const frame_settings& settings,
   result.sort_seconds = set.slices.sort_seconds;
   result.strands = set.strand_count;
   result.segments = set.fibres.segment_count();
+  result.detail_seconds = set.detail_seconds;
   progress("done", 1.0);
   return result;
 }

@@ -31,6 +31,7 @@ struct frame_result {
   double sort_seconds = 0;     ///< what they took
   std::uint32_t strands = 0;   ///< that were drawn
   std::uint32_t segments = 0;  ///< of those
+  double detail_seconds = 0;   ///< what it took to choose them, in all frames
 };
 
 /// Draws a frame. `progress` is called between passes with their name and the share that is done, [0, 1].

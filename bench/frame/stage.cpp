@@ -12,6 +12,7 @@
 #include "frame/base/random.hpp"
 #include "frame/model/bust.hpp"
 #include "frame/model/crowd.hpp"
+#include "frame/order/order_job.hpp"
 
 namespace pelage::frame {
 namespace {
@@ -175,6 +176,7 @@ void place_views(stage& s, const frame_settings& settings) {
 
 /// The strands as the views need them.
 void choose_detail(stage& s, const frame_settings& settings) {
+  stopwatch watch;
   std::vector<view> drawn{s.eye};
   if (has_shadows(settings.shown)) drawn.insert(drawn.end(), s.light_views.begin(), s.light_views.end());
   detailed_strands found =
@@ -182,6 +184,7 @@ void choose_detail(stage& s, const frame_settings& settings) {
   s.fibres = std::move(found.fibres);
   s.strand_count = found.count;
   s.slices.segments.clear();  // they are others
+  s.detail_seconds += watch.lap();
 }
 
 /// What depends on where the views and the model's strands are: the strands that are drawn, and their orders.

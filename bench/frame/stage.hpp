@@ -30,6 +30,7 @@ struct stage {
   strands fibres;
   swaying_hair hair;               ///< of the model's fibres, where a wind blows
   std::uint32_t strand_count = 0;  ///< of the fibres
+  double detail_seconds = 0.0;     ///< what it took to choose them, all times together
   box bounds;                      ///< of all copies of the model, wherever the wind takes their fibres
   sphere round;                    ///< round that
   solids opaque;

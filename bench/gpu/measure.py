@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 
+import detail
 import growth
 import steps
 import sway
@@ -206,6 +207,7 @@ def main():
         "steps": steps.tables(draw, program),
         "growth": growth.tables(draw, program),
         "sway": sway.tables(draw, program),
+        "detail": detail.tables(draw, program),
     }
     (folder / "gpu.json").write_text(json.dumps(reports, indent=2) + "\n")
 

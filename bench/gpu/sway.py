@@ -5,8 +5,8 @@ one sequence of pictures."""
 
 HAIR = ["--strands", "114000", "--segments", "60"]
 WIND = ["--sway", "0.1"]
-ORDERS = ["k_buffer", "a_buffer", "ordered_list", "atomic_k_buffer", "split_k_buffer", "partial_selection_sort",
-          "selection_sort"]
+ORDERS = ["k_buffer", "a_buffer", "unrolled_list", "ordered_list", "atomic_k_buffer", "split_k_buffer",
+          "partial_selection_sort", "selection_sort"]
 SIZES = [16, 64]
 
 

@@ -66,6 +66,7 @@ TEST_CASE("errors of detail and a crowd say how much is drawn, and without them 
   const nlohmann::json full = nlohmann::json::parse(text_of(t.folder / "a.json"));
   CHECK(full["strands_drawn"] == 60);
   CHECK(full["segments_drawn"] == 360);
+  CHECK(full["detail_seconds"] == 0.0);
   REQUIRE(t.run(tiny + "--out c.png --segment-error 2 --strand-error 4 --crowd 3 --report c.json") == 0);
   CHECK(t.printed().find(" drawn, ") != std::string::npos);
   const nlohmann::json few = nlohmann::json::parse(text_of(t.folder / "c.json"));
@@ -74,6 +75,7 @@ TEST_CASE("errors of detail and a crowd say how much is drawn, and without them 
   CHECK(few["strands_drawn"] > 0);
   CHECK(few["strands_drawn"] < 180);
   CHECK(few["segments_drawn"] < 1080);
+  CHECK(few["detail_seconds"] > 0.0);
 }
 
 TEST_CASE("structures, threads and drawing orders leave the same file; other options leave another") {

@@ -105,6 +105,7 @@ device_frame draw_frame_on_device(const hair_model& model, const frame_settings&
   result.sort_seconds = set.slices.sort_seconds;
   result.strands = set.strand_count;
   result.segments = set.fibres.segment_count();
+  result.detail_seconds = set.detail_seconds;
   return result;
 }
 

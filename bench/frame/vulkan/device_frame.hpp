@@ -37,6 +37,7 @@ struct device_frame {
   double sort_seconds = 0;     ///< what they took
   std::uint32_t strands = 0;   ///< that were drawn
   std::uint32_t segments = 0;  ///< of those
+  double detail_seconds = 0;   ///< what it took the CPU to choose them, in all frames
 };
 
 using pelage::vulkan::no_device;
