@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Pelage authors
 // SPDX-License-Identifier: MIT
 // Adds each fragment to its pixel's sums: as it is and counted (AVERAGE) [Bavoil & Myers 2008], weighted by its depth in
-// the pixel's range (BY_DEPTH) [McGuire & Bavoil 2013], or by what the pixel's layers hold before it [Yu12 Fig. 8],
-// itself left out (CORRECTED) or not. In: points, limits, edges, shaded, layers. Out: sums, layers. One invocation a
-// segment; bounded by coverage's arithmetic and by four or five adds a fragment.
+// the pixel's range (BY_DEPTH) [McGuire & Bavoil 2013], or by what the pixel's map holds before it: an occupancy map
+// [Sintorn & Assarsson 2009, §3.4], layers [Yu12 Fig. 8] or moments [Münstermann et al. 2018]. In: points, limits, edges,
+// shaded, the map. Out: sums. One invocation a segment; bounded by coverage's arithmetic and by four or five adds a
+// fragment.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #define SEEN_BEFORE
-#define LAYERED
 #include "draw.glsl"
 #include "camera_sink.glsl"
 #include "pelage/glsl/composite/order_weighted.glsl"
@@ -29,12 +29,8 @@ void visit(uint i, uint pixel, segment_in_pixel where) {
   const pelage_tail one = pelage_add_weighted(pelage_empty_tail(), alpha, weight, fibre.radiance);
   occupy(texel, 0.0, one.optical);
 #else
-#ifdef CORRECTED
-  const uint own = pelage_optical_depth(alpha);
-#else
-  const uint own = 0u;
-#endif
-  const float weight = pelage_optical_weight(alpha, amount_before(this_view(), texel, where.depth, own));
+  const float before = amount_before_fragment(texel, where.depth, pelage_optical_depth(alpha));
+  const float weight = pelage_optical_weight(alpha, before);
   const pelage_tail one = pelage_add_weighted(pelage_empty_tail(), alpha, weight, fibre.radiance);
 #endif
   add_to_sums(pixel, texel, fibre.is_before_edge, one);

@@ -88,6 +88,15 @@ void occupy(uint texel, float position, uint amount) {
   pelage_layer_sums_add(0u, layers_of(this_view()), position, amount);
 }
 
+/// What lies before a fragment, itself left out, or with UNCORRECTED not.
+float amount_before_fragment(uint texel, float depth, uint own) {
+#ifdef UNCORRECTED
+  return amount_before(this_view(), texel, depth, 0u);
+#else
+  return amount_before(this_view(), texel, depth, own);
+#endif
+}
+
 void accumulate(uint texel) {
   first_cell = first_layer(this_view(), texel);
   pelage_layer_sums_accumulate(0u, layers_of(this_view()));

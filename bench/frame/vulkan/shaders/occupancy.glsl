@@ -60,6 +60,12 @@ float map_position(pelage_depth_range range, float depth) {
   return pelage_slice_position(pelage_depth_range_relative(range, depth), PELAGE_OCCUPANCY_MAP_SLICES);
 }
 
+/// What lies before a fragment that is in a texel's map, itself left out: no need to know how much of it is there.
+float amount_before_fragment(uint texel, float depth, uint own) {
+  const occupancy o = load_occupancy(texel);
+  return pelage_occupancy_map_interpolated_before_fragment(o.map, map_position(o.range, depth));
+}
+
 // What sums.glsl keeps with the map: which of its nine sums passed their ends, behind those of the slabs.
 
 void mark_end(uint texel, uint i) {
