@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace pelage::frame {
@@ -16,6 +18,14 @@ bool with_compiled_size(std::uint32_t size, const Use& use) {
     return ((Sizes[I] == size && (use.template operator()<Sizes[I]>(), true)) || ...);
   }
   (std::make_index_sequence<Sizes.size()>());
+}
+
+/// The same, which throws std::invalid_argument where there is none. `what`: the sizes are of.
+template <auto Sizes, class Use>
+void with_size_of(const std::string& what, std::uint32_t size, const Use& use) {
+  if (!with_compiled_size<Sizes>(size, use)) {
+    throw std::invalid_argument("the renderer is not compiled for this number of " + what);
+  }
 }
 
 }  // namespace pelage::frame

@@ -5,7 +5,6 @@
 #include <pelage/composite/depth_peeling.hpp>
 
 #include <map>
-#include <stdexcept>
 #include <vector>
 
 #include "frame/base/compiled_sizes.hpp"
@@ -45,14 +44,13 @@ order_report draw_unordered(camera_film& film, const raster& from, const order_o
 order_report draw_stochastic(camera_film& film, const raster& from, const order_options& order,
                              const blend_choice& choice) {
   order_report report;
-  const bool compiled = with_compiled_size<compiled_samples>(choice.size, [&]<std::uint32_t Samples>() {
+  with_size_of<compiled_samples>("samples", choice.size, [&]<std::uint32_t Samples>() {
     const auto blend = [&](std::span<const layer> layers, const glm::vec3& background, int x, int y) {
       const auto pixel = static_cast<std::uint32_t>(y * from.from().width + x);
       return blend_stochastic<Samples>(layers, background, stochastic_stream(choice.seed, pixel));
     };
     report = draw_unordered(film, from, order, blend);
   });
-  if (!compiled) throw std::invalid_argument("the renderer is not compiled for this number of samples");
   return report;
 }
 
@@ -60,31 +58,24 @@ order_report draw_by_deep_opacity(camera_film& film, const raster& from, const o
                                   const blend_choice& choice) {
   order_report report;
   const bool is_corrected = choice.method == blend_method::deep_opacity_corrected;
-  const bool compiled = with_compiled_size<blended_layers>(choice.size, [&]<std::uint32_t Layers>() {
+  with_size_of<blended_layers>("layers", choice.size, [&]<std::uint32_t Layers>() {
     report = draw_unordered(film, from, order, [&](std::span<const layer> all, const glm::vec3& behind, int, int) {
       return blend_deep_opacity<Layers>(all, behind, is_corrected);
     });
   });
-  if (!compiled) throw std::invalid_argument("the renderer is not compiled for this number of layers");
   return report;
 }
 
-order_report draw_by_moments(camera_film& film, const raster& from, const order_options& order, std::uint32_t size) {
-  return draw_unordered(film, from, order,
-                        size == 4 ? blend_moments<power_moments<4>> : blend_moments<power_moments<6>>);
-}
-
-order_report draw_by_trigonometric(camera_film& film, const raster& from, const order_options& order,
-                                   std::uint32_t size) {
-  return draw_unordered(film, from, order,
-                        size == 2 ? blend_moments<trigonometric_moments<2>> : blend_moments<trigonometric_moments<3>>);
+/// Of the two sizes that either kind of moments has.
+template <class Few, class Many>
+order_report draw_by_moments(camera_film& film, const raster& from, const order_options& order, bool are_many) {
+  return draw_unordered(film, from, order, are_many ? blend_moments<Many> : blend_moments<Few>);
 }
 
 order_report draw_by_layers(camera_film& film, const raster& from, const order_options& order, std::uint32_t size) {
   order_report report;
-  const bool compiled = with_compiled_size<compiled_alpha_layers>(
-      size, [&]<std::uint32_t N>() { report = draw_unordered(film, from, order, blend_layers<N>); });
-  if (!compiled) throw std::invalid_argument("the renderer is not compiled for this number of layers");
+  with_size_of<compiled_alpha_layers>(
+      "layers", size, [&]<std::uint32_t N>() { report = draw_unordered(film, from, order, blend_layers<N>); });
   return report;
 }
 
@@ -174,9 +165,9 @@ order_report draw_on(camera_film& film, const blend_choice& choice, const raster
       return draw_sliced(film, from, slices,
                          choice.method == blend_method::sliced ? at_planes::whole : at_planes::clipped);
     case blend_method::moments:
-      return draw_by_moments(film, from, order, choice.size);
+      return draw_by_moments<power_moments<4>, power_moments<6>>(film, from, order, choice.size == 6);
     case blend_method::trigonometric:
-      return draw_by_trigonometric(film, from, order, choice.size);
+      return draw_by_moments<trigonometric_moments<2>, trigonometric_moments<3>>(film, from, order, choice.size == 3);
     case blend_method::layers:
       return draw_by_layers(film, from, order, choice.size);
   }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "frame/shadows/shadow_choice.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "frame/base/compiled_sizes.hpp"
@@ -40,10 +39,9 @@ struct caster {
 
   [[nodiscard]] cast_shadow layered(std::uint32_t layers, const layer_layout& layout) const {
     std::unique_ptr<list_shadow> map;
-    const bool compiled = with_compiled_size<compiled_layers>(layers, [&]<std::uint32_t Layers>() {
+    with_size_of<compiled_layers>("layers", layers, [&]<std::uint32_t Layers>() {
       map = std::make_unique<layered_shadow<Layers>>(from, opaque, translucent, layout);
     });
-    if (!compiled) throw std::invalid_argument("the renderer is not compiled for this number of layers");
     return filled(std::move(map));
   }
 

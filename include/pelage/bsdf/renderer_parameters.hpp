@@ -126,12 +126,6 @@ template <real_number Real>
   return least(greatest(x, Real(0.001)), Real(1));
 }
 
-template <real_number Real>
-[[nodiscard]] inline chiang_fibre<Real> tilted_chiang(Real eta, const std::array<Real, 3>& sigma_a, Real beta_m,
-                                                      Real beta_n, Real tilt) noexcept {
-  return make_chiang_fibre(chiang_parameters<Real>{eta, sigma_a, beta_m, beta_n, tilt});
-}
-
 }  // namespace detail
 
 template <real_number Real>
@@ -169,7 +163,8 @@ Real materialx_absorption_from_colour(Real colour, Real azimuthal) noexcept {
 template <real_number Real>
 chiang_fibre<Real> chiang_from_materialx(const materialx_hair<Real>& hair) noexcept {
   const Real tilt = (Real(0.5) - hair.cuticle_angle) * Real(3.141592653589793238);
-  chiang_fibre<Real> fibre = detail::tilted_chiang(hair.ior, hair.absorption_coefficient, Real(0.3), Real(0.3), tilt);
+  chiang_fibre<Real> fibre =
+      make_chiang_fibre(chiang_parameters<Real>{hair.ior, hair.absorption_coefficient, Real(0.3), Real(0.3), tilt});
   for (std::uint32_t p = 0u; p < 3u; ++p) {
     fibre.tints[p] = hair.tints[p];
     fibre.longitudinal[p] = make_longitudinal_lobe(detail::held_roughness(hair.lobes[p].variance));
@@ -204,7 +199,8 @@ chiang_fibre<Real> chiang_from_cycles(const cycles_hair<Real>& hair) noexcept {
   const Real along = detail::held_roughness(cycles_roughness(hair.roughness, hair.random, hair.random_roughness));
   const Real around =
       detail::held_roughness(cycles_roughness(hair.radial_roughness, hair.random, hair.random_roughness));
-  chiang_fibre<Real> fibre = detail::tilted_chiang(hair.ior, hair.absorption, along, around, Real(0) - hair.offset);
+  chiang_fibre<Real> fibre =
+      make_chiang_fibre(chiang_parameters<Real>{hair.ior, hair.absorption, along, around, Real(0) - hair.offset});
   const Real first = detail::held_roughness(along * (Real(1) - saturate(hair.coat)));
   fibre.longitudinal[0] = make_longitudinal_lobe(longitudinal_variance(first));
   return fibre;

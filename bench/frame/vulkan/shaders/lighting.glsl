@@ -62,25 +62,31 @@ struct map_square {
   vec4 depths;  ///< by rows
 };
 
+const map_square no_square = map_square(false, 0u, 0u, vec2(0.0), vec4(0.0));
+
+/// One whose upper left texel is `corner`. `depth`: the receiver's at that texel's centre; `growth`: a texel on.
+map_square square_from(uint l, vec2 corner, vec2 weight, float depth, vec2 growth) {
+  const uint width = uint(scene.views[l].size.x);
+  const uint first = scene.views[l].first_pixel + uint(corner.y) * width + uint(corner.x);
+  return map_square(true, first, first + width, weight,
+                    depth + vec4(0.0, growth.x, growth.y, growth.x + growth.y));
+}
+
 /// Of a receiver with this slope at a position in the light's view.
 map_square square_at(uint l, vec3 p, vec2 slope, float bias) {
   look_up_light(l);
-  map_square s;
   const float depth = -p.z - bias;
   const vec2 pixel = to_pixel(l, p) - 0.5;
   const vec2 corner = floor(pixel);
   const ivec2 size = scene.views[l].size;
-  s.is_inside = depth > scene.views[l].near_plane && corner.x >= 0.0 && corner.y >= 0.0 &&
-                corner.x < float(size.x - 1) && corner.y < float(size.y - 1);
-  if (s.is_inside) {
-    s.weight = pixel - corner;
-    s.first = scene.views[l].first_pixel + uint(corner.y) * uint(size.x) + uint(corner.x);
-    s.below = s.first + uint(size.x);
-    const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
-    const float there = depth - dot(s.weight, growth);
-    s.depths = there + vec4(0.0, growth.x, growth.y, growth.x + growth.y);
+  const bool is_inside = depth > scene.views[l].near_plane && corner.x >= 0.0 && corner.y >= 0.0 &&
+                         corner.x < float(size.x - 1) && corner.y < float(size.y - 1);
+  if (!is_inside) {
+    return no_square;
   }
-  return s;
+  const vec2 weight = pixel - corner;
+  const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
+  return square_from(l, corner, weight, depth - dot(weight, growth), growth);
 }
 
 map_square square_at_fibre(uint l, vec3 world, vec3 tangent, float radius) {
@@ -92,25 +98,20 @@ map_square square_at_fibre(uint l, vec3 world, vec3 tangent, float radius) {
 /// A square that weighs one texel alone: the one that holds the position moved by lookup_jitter().
 map_square jittered_square_at_fibre(uint l, vec3 world, vec3 tangent, float radius, uint seed) {
   look_up_light(l);
-  map_square s;
   const vec3 p = to_view(l, world);
   const float depth = -p.z - 2.0 * radius;
   const vec2 pixel = to_pixel(l, p);
   const vec2 size = vec2(scene.views[l].size);
-  s.is_inside = depth > scene.views[l].near_plane && all(greaterThanEqual(pixel, vec2(0.0))) &&
-                all(lessThanEqual(pixel, size));
-  if (s.is_inside) {
-    const vec2 texel = min(floor(max(pixel + pelage_lookup_jitter(seed), 0.0)), size - 1.0);
-    const vec2 corner = min(texel, size - 2.0);
-    const vec2 slope = pelage_line_depth_slope(ray_to(l, p), direction_to_view(l, tangent), steepest);
-    const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
-    const float there = depth + dot(corner + 0.5 - pixel, growth);
-    s.weight = texel - corner;
-    s.first = scene.views[l].first_pixel + uint(corner.y) * uint(size.x) + uint(corner.x);
-    s.below = s.first + uint(size.x);
-    s.depths = there + vec4(0.0, growth.x, growth.y, growth.x + growth.y);
+  const bool is_inside = depth > scene.views[l].near_plane && all(greaterThanEqual(pixel, vec2(0.0))) &&
+                         all(lessThanEqual(pixel, size));
+  if (!is_inside) {
+    return no_square;
   }
-  return s;
+  const vec2 texel = min(floor(max(pixel + pelage_lookup_jitter(seed), 0.0)), size - 1.0);
+  const vec2 corner = min(texel, size - 2.0);
+  const vec2 slope = pelage_line_depth_slope(ray_to(l, p), direction_to_view(l, tangent), steepest);
+  const vec2 growth = pixel_at(l, p) * vec2(slope.x, -slope.y);
+  return square_from(l, corner, texel - corner, depth + dot(corner + 0.5 - pixel, growth), growth);
 }
 
 /// Where the light of a strand's point is looked up.

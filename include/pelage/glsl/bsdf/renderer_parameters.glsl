@@ -103,10 +103,6 @@ float pelage_detail_held_roughness(float x) {
   return pelage_least(pelage_greatest(x, 0.001), 1.0);
 }
 
-pelage_chiang_fibre pelage_detail_tilted_chiang(float eta, float sigma_a[3], float beta_m, float beta_n, float tilt) {
-  return pelage_make_chiang_fibre(pelage_chiang_parameters(eta, sigma_a, beta_m, beta_n, tilt));
-}
-
 // ---------------------------------------------------------------------------------------------------------
 
 precise pelage_chiang_parameters pelage_chiang_from_pbrt(pelage_pbrt_hair hair) {
@@ -136,7 +132,8 @@ float pelage_materialx_absorption_from_colour(float colour, float azimuthal) {
 
 precise pelage_chiang_fibre pelage_chiang_from_materialx(pelage_materialx_hair hair) {
   const float tilt = (0.5 - hair.cuticle_angle) * 3.141592653589793238;
-  pelage_chiang_fibre fibre = pelage_detail_tilted_chiang(hair.ior, hair.absorption_coefficient, 0.3, 0.3, tilt);
+  pelage_chiang_fibre fibre =
+      pelage_make_chiang_fibre(pelage_chiang_parameters(hair.ior, hair.absorption_coefficient, 0.3, 0.3, tilt));
   for (uint p = 0u; p < 3u; ++p) {
     fibre.tints[p] = hair.tints[p];
     fibre.longitudinal[p] = pelage_make_longitudinal_lobe(pelage_detail_held_roughness(hair.lobes[p].variance));
@@ -168,7 +165,8 @@ precise pelage_chiang_fibre pelage_chiang_from_cycles(pelage_cycles_hair hair) {
       pelage_detail_held_roughness(pelage_cycles_roughness(hair.roughness, hair.random, hair.random_roughness));
   const float around =
       pelage_detail_held_roughness(pelage_cycles_roughness(hair.radial_roughness, hair.random, hair.random_roughness));
-  pelage_chiang_fibre fibre = pelage_detail_tilted_chiang(hair.ior, hair.absorption, along, around, 0.0 - hair.offset);
+  pelage_chiang_fibre fibre =
+      pelage_make_chiang_fibre(pelage_chiang_parameters(hair.ior, hair.absorption, along, around, 0.0 - hair.offset));
   const float first = pelage_detail_held_roughness(along * (1.0 - pelage_saturate(hair.coat)));
   fibre.longitudinal[0] = pelage_make_longitudinal_lobe(pelage_longitudinal_variance(first));
   return fibre;
