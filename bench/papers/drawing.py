@@ -89,8 +89,8 @@ def save(figure, path, tight=None):
 
 def print_table(heads, rows):
     """A Markdown table; the first column is text."""
-    print("| " + " | ".join(heads) + " |")
+    print("| " + " | ".join(map(str, heads)) + " |")
     print("| --- |" + " ---: |" * (len(heads) - 1))
     for row in rows:
-        print("| " + " | ".join(str(cell) for cell in row) + " |")
+        print("| " + " | ".join(map(str, row)) + " |")
     print()

@@ -8,9 +8,11 @@ import sintorn
 import svoboda
 import yu
 from drawing import Room
+from lines import lines
+from slices import slices
 
 FIGURES = {"check": yu.check, "translucency": yu.translucency, "lights": yu.lights, "rays": sintorn.rays,
-           "steps": sintorn.steps, "sweeps": svoboda.sweeps}
+           "steps": sintorn.steps, "sweeps": svoboda.sweeps, "slices": slices, "lines": lines}
 
 arguments = argparse.ArgumentParser()
 arguments.add_argument("root", type=pathlib.Path)
