@@ -109,10 +109,6 @@ plan plan_by_moments(const frame_settings& s) {
   return p;
 }
 
-bool has_moments(const frame_settings& s) {
-  return s.blend.method == blend_method::moments || s.blend.method == blend_method::trigonometric;
-}
-
 /// A light's map of layers that begin at its texels' nearest fragments, or where the model does.
 plan plan_by_layers(const frame_settings& s) {
   plan p{};
@@ -181,13 +177,59 @@ plan plan_by_occupancy() {
   return p;
 }
 
+plan plan_of_maps(const frame_settings& s) {
+  switch (s.shadow.method) {
+    case shadow_method::k_buffer:
+      return plan_by_order(s, false);
+    case shadow_method::occupancy:
+      return plan_by_occupancy();
+    case shadow_method::opacity:
+    case shadow_method::deep_opacity:
+    case shadow_method::deep_opacity_growing:
+      return plan_by_layers(s);
+    case shadow_method::deep:
+    case shadow_method::exact:
+      break;
+  }
+  throw std::runtime_error(
+      "--device vulkan: maps are made by --shadow k_buffer, occupancy, opacity:N, deep_opacity:N or "
+      "deep_opacity_growing:N");
+}
+
 plan plan_of_lights(const frame_settings& s) {
-  plan p = light_layers(s) > 0                           ? plan_by_layers(s)
-           : s.shadow.method == shadow_method::occupancy ? plan_by_occupancy()
-                                                         : plan_by_order(s, false);
+  plan p = plan_of_maps(s);
   p.covered = s.look.model == bsdf_model::dual_scattering;
   if (p.covered) p.finish.push_back({"cover", over::segments});
   return p;
+}
+
+plan plan_of_camera(const frame_settings& s) {
+  switch (s.blend.method) {
+    case blend_method::k_buffer:
+      return plan_by_order(s, true);
+    case blend_method::order_weighted:
+      return plan_by_weight();
+    case blend_method::weighted_average:
+    case blend_method::weighted_blended:
+    case blend_method::deep_opacity:
+    case blend_method::deep_opacity_corrected:
+      return plan_by_sums(s);
+    case blend_method::moments:
+    case blend_method::trigonometric:
+      return plan_by_moments(s);
+    case blend_method::depth_peeling:
+      return plan_by_peeling();
+    case blend_method::sliced:
+      return plan_by_slices();
+    case blend_method::exact:
+    case blend_method::stochastic:
+    case blend_method::sliced_clipped:
+    case blend_method::layers:
+      break;
+  }
+  throw std::runtime_error(
+      "--device vulkan: pixels are made by --blend k_buffer, order_weighted, weighted_average, weighted_blended, "
+      "deep_opacity:N, deep_opacity_corrected:N, depth_peeling, sliced:N, moments:N or trigonometric:N");
 }
 
 }  // namespace
@@ -199,30 +241,10 @@ std::string shading_kernel(const fibre_look& look) {
 }
 
 plan plan_of(const frame_settings& s, bool camera) {
-  if (!camera) return plan_of_lights(s);
-  if (camera_layers(s) > 0) return plan_by_sums(s);
-  if (s.blend.method == blend_method::order_weighted) return plan_by_weight();
-  if (has_moments(s)) return plan_by_moments(s);
-  if (s.blend.method == blend_method::depth_peeling) return plan_by_peeling();
-  if (s.blend.method == blend_method::sliced) return plan_by_slices();
-  return plan_by_order(s, true);
+  return camera ? plan_of_camera(s) : plan_of_lights(s);
 }
 
 void check_settings(const frame_settings& s) {
-  if (s.shadow.method != shadow_method::k_buffer && s.shadow.method != shadow_method::occupancy &&
-      light_layers(s) == 0) {
-    throw std::runtime_error(
-        "--device vulkan: maps are made by --shadow k_buffer, occupancy, opacity:N, deep_opacity:N or "
-        "deep_opacity_growing:N");
-  }
-  if (s.blend.method != blend_method::k_buffer && s.blend.method != blend_method::order_weighted &&
-      s.blend.method != blend_method::depth_peeling && s.blend.method != blend_method::sliced &&
-      camera_layers(s) == 0 && !has_moments(s)) {
-    throw std::runtime_error(
-        "--device vulkan: pixels are made by --blend k_buffer, order_weighted, weighted_average, weighted_blended, "
-        "deep_opacity:N, deep_opacity_corrected:N, depth_peeling, sliced:N, moments:N or "
-        "trigonometric:N");
-  }
   if (std::find(std::begin(any_k), std::end(any_k), s.k) == std::end(any_k)) {
     throw std::runtime_error("--device vulkan: --k must be 4, 8, 16, 32 or 64");
   }
