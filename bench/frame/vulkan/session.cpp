@@ -128,9 +128,11 @@ std::vector<double> session::draw(std::uint32_t frame) {
     make_frame();
   }
   std::vector<double> milliseconds = device_.run(frame_.steps);
-  for (; !all_fitted(); ++redrawn_) {
+  for (bool has_grown = true; has_grown && !all_fitted(); ++redrawn_) {
+    const std::vector<room> before = rooms_;
     frame_ = {};
     make_buffers();
+    has_grown = rooms_ != before;  // else what is refused has no place anywhere, as a depth that is no number
     milliseconds = device_.run(frame_.steps);
   }
   return milliseconds;

@@ -57,6 +57,7 @@ class session {
   /// For a view's fragments, and for the stamps of its segments.
   struct room {
     std::uint64_t places, stamps;
+    friend bool operator==(const room&, const room&) = default;
   };
   [[nodiscard]] std::uint32_t camera() const { return static_cast<std::uint32_t>(set_.lights.size()); }
   [[nodiscard]] const plan& plan_for(std::uint32_t v) const { return v == camera() ? camera_plan_ : light_plan_; }
