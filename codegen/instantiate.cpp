@@ -57,7 +57,9 @@
 #include <pelage/core/vector_math.hpp>
 #include <pelage/coverage/chord_run.hpp>
 #include <pelage/coverage/closest_points.hpp>
+#include <pelage/coverage/curve_basis.hpp>
 #include <pelage/coverage/disc_strip.hpp>
+#include <pelage/coverage/flatten_curve.hpp>
 #include <pelage/coverage/joint.hpp>
 #include <pelage/coverage/line_width.hpp>
 #include <pelage/coverage/ray_cone.hpp>
@@ -139,6 +141,20 @@ template float disc_strip_share(float, float, float) noexcept;
 template float cap_share(float) noexcept;
 template float owned_by_segment(const strand_joint<float>&, const strand_joint<float>&, const glm::vec2&) noexcept;
 template float past_joint(const strand_joint<float>&, const glm::vec2&) noexcept;
+template bezier_segment<float> straight_segment(const glm::vec4&, const glm::vec4&) noexcept;
+template bezier_segment<float> bezier_of(curve_basis, const segment_vertices&,
+                                         const std::array<glm::vec4, 4>&) noexcept;
+template bezier_segment<float> with_varying(const bezier_segment<float>&, float, float) noexcept;
+template glm::vec4 third_of_way(const glm::vec4&, const glm::vec4&) noexcept;
+template glm::vec4 b_spline_knot(const glm::vec4&, const glm::vec4&, const glm::vec4&) noexcept;
+template std::uint32_t pieces_within(const bezier_segment<float>&, float, float) noexcept;
+template float piece_error(const bezier_segment<float>&, std::uint32_t) noexcept;
+template float radius_piece_error(const bezier_segment<float>&, std::uint32_t) noexcept;
+template float greatest_piece_length(float, float) noexcept;
+template glm::vec4 point_of_piece(const bezier_segment<float>&, std::uint32_t, std::uint32_t) noexcept;
+template float error_on_screen(const bezier_segment<float>&, float, float) noexcept;
+template glm::vec2 second_differences(const bezier_segment<float>&) noexcept;
+template bool leave_more(std::uint32_t, float, float) noexcept;
 template glm::vec2 line_depth_slope(const vec3&, const vec3&, float) noexcept;
 template glm::vec2 plane_depth_slope(const vec3&, const vec3&, float) noexcept;
 template glm::vec2 detail::limited_slope(float, float, float, float) noexcept;

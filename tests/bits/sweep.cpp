@@ -16,7 +16,9 @@
 #include <pelage/composite/weighted_blended.hpp>
 #include <pelage/core/exact_begin.hpp>  // for the sums and products below, too
 #include <pelage/coverage/closest_points.hpp>
+#include <pelage/coverage/curve_basis.hpp>
 #include <pelage/coverage/disc_strip.hpp>
+#include <pelage/coverage/flatten_curve.hpp>
 #include <pelage/coverage/joint.hpp>
 #include <pelage/coverage/line_width.hpp>
 #include <pelage/coverage/segment_quad.hpp>
@@ -92,6 +94,15 @@ bool same_bits(const results& a, const results& b) {
             line_width_share(glm::vec2(a.x, a.y), radius, 0.5f), mean_line_width_share(radius, 0.5f)});
   for (const glm::vec3& corner : expand_segment(c, d, radius, perspective_cone(0.3f, 640), 0.1f, 2.0f).corner)
     put(out, corner);
+  for (const curve_basis basis : {curve_basis::bezier, curve_basis::b_spline, curve_basis::catmull_rom}) {
+    const segment_vertices whole = vertices_of_segment(basis, curve_wrap::nonperiodic, 4u, 0u);
+    const auto curve = bezier_of(
+        basis, whole, std::array{glm::vec4(a, unit), glm::vec4(b, radius), glm::vec4(c, 1.0f), glm::vec4(d, unit)});
+    const std::uint32_t pieces = pieces_within(curve, 0.01f + 0.1f * unit, radius);
+    put(out, glm::vec3(point_of_piece(curve, pieces / 3u, pieces)));
+    put(out, {static_cast<float>(pieces), piece_error(curve, pieces), radius_piece_error(curve, pieces),
+              greatest_piece_length(unit, radius), error_on_screen(curve, 0.01f, 0.1f)});
+  }
 
   const glm::vec3 tangent = draw.direction();
   const glm::vec3 light = draw.direction();
