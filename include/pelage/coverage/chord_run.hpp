@@ -85,6 +85,8 @@ chord_run<Real> begin_chord(const glm::vec<3, Real>& point, Real radius, Real to
       point, zero, zero, radius, Real(-1), glm::vec<3, Real>(-steepest), glm::vec<3, Real>(greatest_slope)};
 }
 
+namespace detail {
+
 /// A point from the start of the run: toward the side, toward along × side, and the radius.
 template <std::floating_point Real>
 [[nodiscard]] glm::vec<3, Real> across_run(const chord_run<Real>& run, const glm::vec<3, Real>& way,
@@ -93,11 +95,13 @@ template <std::floating_point Real>
   return glm::vec<3, Real>(dot_product(way, run.side), dot_product(way, third), radius - run.start_radius);
 }
 
+}  // namespace detail
+
 template <std::floating_point Real>
 bool chord_reaches(const chord_run<Real>& run, const glm::vec<3, Real>& point, Real radius, Real tolerance) noexcept {
   const glm::vec<3, Real> way = point - run.start;
   const Real place = dot_product(way, run.along);
-  const glm::vec<3, Real> across = across_run(run, way, radius);
+  const glm::vec<3, Real> across = detail::across_run(run, way, radius);
   const glm::vec<3, Real> low = run.least_slope * place;
   const glm::vec<3, Real> high = run.greatest_slope * place;
   const bool within_side = across.x >= low.x && across.x <= high.x;
@@ -123,7 +127,7 @@ chord_run<Real> pass_point(const chord_run<Real>& run, const glm::vec<3, Real>& 
   if (goes_on && place > Real(0)) {
     const Real each = tolerance * Real(0.70710678118654752);  // both ways across together are the tolerance
     const glm::vec<3, Real> room = glm::vec<3, Real>(each, each, radius_tolerance);
-    const glm::vec<3, Real> across = across_run(next, way, radius);
+    const glm::vec<3, Real> across = detail::across_run(next, way, radius);
     const glm::vec<3, Real> low = (across - room) / place;
     const glm::vec<3, Real> high = (across + room) / place;
     next.least_slope = glm::max(next.least_slope, low);

@@ -127,6 +127,8 @@ constexpr segment_vertices vertices_of_segment(curve_basis basis, curve_wrap wra
       {first % count, (first + 1u) % count, (first + 2u) % count, (first + 3u) % count}, false, false};
 }
 
+namespace detail {
+
 /// A third of the way from a to b, and exactly a where they are equal.
 template <std::floating_point Real>
 [[nodiscard]] glm::vec<4, Real> third_of_way(const glm::vec<4, Real>& a, const glm::vec<4, Real>& b) noexcept {
@@ -140,9 +142,11 @@ template <std::floating_point Real>
   return at + ((before - at) + (after - at)) * Real(0.16666666666666667);
 }
 
+}  // namespace detail
+
 template <std::floating_point Real>
 bezier_segment<Real> straight_segment(const glm::vec<4, Real>& start, const glm::vec<4, Real>& end) noexcept {
-  return bezier_segment<Real>{{start, third_of_way(start, end), third_of_way(end, start), end}};
+  return bezier_segment<Real>{{start, detail::third_of_way(start, end), detail::third_of_way(end, start), end}};
 }
 
 template <std::floating_point Real>
@@ -154,10 +158,10 @@ bezier_segment<Real> bezier_of(curve_basis basis, const segment_vertices& from,
   bezier_segment<Real> curve = straight_segment(value[1], value[2]);
   if (basis == curve_basis::b_spline) {
     if (!from.phantom_start) {
-      curve.point[0] = b_spline_knot(value[0], value[1], value[2]);
+      curve.point[0] = detail::b_spline_knot(value[0], value[1], value[2]);
     }
     if (!from.phantom_end) {
-      curve.point[3] = b_spline_knot(value[1], value[2], value[3]);
+      curve.point[3] = detail::b_spline_knot(value[1], value[2], value[3]);
     }
   } else if (basis == curve_basis::catmull_rom) {
     // Beside a phantom the tangent is the chord, as straight_segment() has it.

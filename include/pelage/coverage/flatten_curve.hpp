@@ -74,6 +74,8 @@ template <std::floating_point Real>
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
 /// The squares of the largest second differences, of x, y, z and of w, each 0 where it is rounding, NaN or infinite.
 template <std::floating_point Real>
 [[nodiscard]] glm::vec<2, Real> second_differences(const bezier_segment<Real>& curve) noexcept {
@@ -105,15 +107,17 @@ template <std::floating_point Real>
   return reached * reached < Real(0.5625) * difference2;
 }
 
+}  // namespace detail
+
 template <std::floating_point Real>
 std::uint32_t pieces_within(const bezier_segment<Real>& curve, Real error, Real radius_error) noexcept {
-  const glm::vec<2, Real> difference2 = second_differences(curve);
+  const glm::vec<2, Real> difference2 = detail::second_differences(curve);
   const Real allowed = error > Real(0) ? error : Real(0);
   const Real allowed_radius = radius_error > Real(0) ? radius_error : Real(0);
   std::uint32_t pieces = 1u;
   for (std::uint32_t added = most_curve_pieces() / 2u; added > 0u; added /= 2u) {
     const std::uint32_t tried = pieces + added - 1u;
-    if (leave_more(tried, difference2.x, allowed) || leave_more(tried, difference2.y, allowed_radius)) {
+    if (detail::leave_more(tried, difference2.x, allowed) || detail::leave_more(tried, difference2.y, allowed_radius)) {
       pieces += added;
     }
   }
@@ -122,12 +126,12 @@ std::uint32_t pieces_within(const bezier_segment<Real>& curve, Real error, Real 
 
 template <std::floating_point Real>
 Real piece_error(const bezier_segment<Real>& curve, std::uint32_t pieces) noexcept {
-  return Real(0.75) * square_root(second_differences(curve).x) / (Real(pieces) * Real(pieces));
+  return Real(0.75) * square_root(detail::second_differences(curve).x) / (Real(pieces) * Real(pieces));
 }
 
 template <std::floating_point Real>
 Real radius_piece_error(const bezier_segment<Real>& curve, std::uint32_t pieces) noexcept {
-  return Real(0.75) * square_root(second_differences(curve).y) / (Real(pieces) * Real(pieces));
+  return Real(0.75) * square_root(detail::second_differences(curve).y) / (Real(pieces) * Real(pieces));
 }
 
 template <std::floating_point Real>

@@ -40,6 +40,8 @@ template <std::floating_point Real>
 
 // ---------------------------------------------------------------------------------------------------------
 
+namespace detail {
+
 /// The 32 bits in reverse.
 [[nodiscard]] constexpr std::uint32_t reversed_bits(std::uint32_t x) noexcept {
   const std::uint32_t ones = ((x & 0x55555555u) << 1u) | ((x >> 1u) & 0x55555555u);
@@ -49,6 +51,8 @@ template <std::floating_point Real>
   return (bytes << 16u) | (bytes >> 16u);
 }
 
+}  // namespace detail
+
 constexpr float strand_rank(std::uint32_t strand) noexcept {
   // Each step changes a bit by the bits below it alone: reversed, a part of [0, 1) by the parts that hold it.
   const std::uint32_t seed = mixed_bits(strand >> 6u);
@@ -56,7 +60,7 @@ constexpr float strand_rank(std::uint32_t strand) noexcept {
   const std::uint32_t b = (a + seed) * ((seed >> 16u) | 1u);
   const std::uint32_t c = b ^ (b * 0x05526c56u);
   const std::uint32_t d = c ^ (c * 0x53a22864u);
-  return static_cast<float>(reversed_bits(d) >> 8u) / 16777216.0f;
+  return static_cast<float>(detail::reversed_bits(d) >> 8u) / 16777216.0f;
 }
 
 template <std::floating_point Real>

@@ -63,7 +63,7 @@ precise pelage_chord_run pelage_pass_point(pelage_chord_run run, vec3 point, flo
 precise float pelage_screen_tolerance(float error, float depth, float near_plane, float scale, float slant);
 
 /// A point from the start of the run: toward the side, toward along × side, and the radius.
-precise vec3 pelage_across_run(pelage_chord_run run, vec3 way, float radius) {
+precise vec3 pelage_detail_across_run(pelage_chord_run run, vec3 way, float radius) {
   const vec3 third = pelage_cross_product(run.along, run.side);
   return vec3(pelage_dot_product(way, run.side), pelage_dot_product(way, third), radius - run.start_radius);
 }
@@ -80,7 +80,7 @@ precise pelage_chord_run pelage_begin_chord(vec3 point, float radius, float tole
 precise bool pelage_chord_reaches(pelage_chord_run run, vec3 point, float radius, float tolerance) {
   const vec3 way = point - run.start;
   const float place = pelage_dot_product(way, run.along);
-  const vec3 across = pelage_across_run(run, way, radius);
+  const vec3 across = pelage_detail_across_run(run, way, radius);
   const vec3 low = run.least_slope * place;
   const vec3 high = run.greatest_slope * place;
   const bool within_side = across.x >= low.x && across.x <= high.x;
@@ -105,7 +105,7 @@ precise pelage_chord_run pelage_pass_point(pelage_chord_run run, vec3 point, flo
   if (goes_on && place > 0.0) {
     const float each = tolerance * 0.70710678118654752;  // both ways across together are the tolerance
     const vec3 room = vec3(each, each, radius_tolerance);
-    const vec3 across = pelage_across_run(next, way, radius);
+    const vec3 across = pelage_detail_across_run(next, way, radius);
     const vec3 low = (across - room) / place;
     const vec3 high = (across + room) / place;
     next.least_slope = mix(next.least_slope, low, lessThan(next.least_slope, low));

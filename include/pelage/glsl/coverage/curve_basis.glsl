@@ -66,12 +66,12 @@ precise pelage_bezier_segment pelage_bezier_of(uint basis, pelage_segment_vertic
 precise pelage_bezier_segment pelage_with_varying(pelage_bezier_segment curve, float start, float end);
 
 /// A third of the way from a to b, and exactly a where they are equal.
-precise vec4 pelage_third_of_way(vec4 a, vec4 b) {
+precise vec4 pelage_detail_third_of_way(vec4 a, vec4 b) {
   return a + (b - a) * 0.33333333333333333;
 }
 
 /// Where two segments of a B-spline meet.
-precise vec4 pelage_b_spline_knot(vec4 before, vec4 at, vec4 after) {
+precise vec4 pelage_detail_b_spline_knot(vec4 before, vec4 at, vec4 after) {
   return at + ((before - at) + (after - at)) * 0.16666666666666667;
 }
 
@@ -117,7 +117,8 @@ pelage_segment_vertices pelage_vertices_of_segment(uint basis, uint wrap, uint v
 }
 
 pelage_bezier_segment pelage_straight_segment(vec4 start, vec4 end) {
-  return pelage_bezier_segment(vec4[4](start, pelage_third_of_way(start, end), pelage_third_of_way(end, start), end));
+  return pelage_bezier_segment(
+      vec4[4](start, pelage_detail_third_of_way(start, end), pelage_detail_third_of_way(end, start), end));
 }
 
 precise pelage_bezier_segment pelage_bezier_of(uint basis, pelage_segment_vertices from, vec4 value[4]) {
@@ -127,10 +128,10 @@ precise pelage_bezier_segment pelage_bezier_of(uint basis, pelage_segment_vertic
   pelage_bezier_segment curve = pelage_straight_segment(value[1], value[2]);
   if (basis == pelage_curve_basis_b_spline) {
     if (!from.phantom_start) {
-      curve.point[0] = pelage_b_spline_knot(value[0], value[1], value[2]);
+      curve.point[0] = pelage_detail_b_spline_knot(value[0], value[1], value[2]);
     }
     if (!from.phantom_end) {
-      curve.point[3] = pelage_b_spline_knot(value[1], value[2], value[3]);
+      curve.point[3] = pelage_detail_b_spline_knot(value[1], value[2], value[3]);
     }
   } else if (basis == pelage_curve_basis_catmull_rom) {
     // Beside a phantom the tangent is the chord, as pelage_straight_segment() has it.

@@ -61,7 +61,7 @@ precise vec4 pelage_point_of_piece(pelage_bezier_segment curve, uint i, uint pie
 precise float pelage_error_on_screen(pelage_bezier_segment curve, float screen_error, float near_plane);
 
 /// The squares of the largest second differences, of x, y, z and of w, each 0 where it is rounding, NaN or infinite.
-precise vec2 pelage_second_differences(pelage_bezier_segment curve) {
+precise vec2 pelage_detail_second_differences(pelage_bezier_segment curve) {
   vec2 size = vec2(0.0, 0.0);
   for (int pelage_p_index = 0; pelage_p_index < 4; ++pelage_p_index) {
     vec4 p = curve.point[pelage_p_index];
@@ -85,7 +85,7 @@ precise vec2 pelage_second_differences(pelage_bezier_segment curve) {
 }
 
 /// Whether so many pieces leave more than an error of a second difference whose square is given.
-precise bool pelage_leave_more(uint pieces, float difference2, float error) {
+precise bool pelage_detail_leave_more(uint pieces, float difference2, float error) {
   const float reached = float(pieces) * float(pieces) * error;
   return reached * reached < 0.5625 * difference2;
 }
@@ -93,13 +93,14 @@ precise bool pelage_leave_more(uint pieces, float difference2, float error) {
 // ---------------------------------------------------------------------------------------------------------
 
 uint pelage_pieces_within(pelage_bezier_segment curve, float error, float radius_error) {
-  const vec2 difference2 = pelage_second_differences(curve);
+  const vec2 difference2 = pelage_detail_second_differences(curve);
   const float allowed = error > 0.0 ? error : 0.0;
   const float allowed_radius = radius_error > 0.0 ? radius_error : 0.0;
   uint pieces = 1u;
   for (uint added = pelage_most_curve_pieces() / 2u; added > 0u; added /= 2u) {
     const uint tried = pieces + added - 1u;
-    if (pelage_leave_more(tried, difference2.x, allowed) || pelage_leave_more(tried, difference2.y, allowed_radius)) {
+    if (pelage_detail_leave_more(tried, difference2.x, allowed) ||
+        pelage_detail_leave_more(tried, difference2.y, allowed_radius)) {
       pieces += added;
     }
   }
@@ -107,11 +108,11 @@ uint pelage_pieces_within(pelage_bezier_segment curve, float error, float radius
 }
 
 precise float pelage_piece_error(pelage_bezier_segment curve, uint pieces) {
-  return 0.75 * pelage_square_root(pelage_second_differences(curve).x) / (float(pieces) * float(pieces));
+  return 0.75 * pelage_square_root(pelage_detail_second_differences(curve).x) / (float(pieces) * float(pieces));
 }
 
 precise float pelage_radius_piece_error(pelage_bezier_segment curve, uint pieces) {
-  return 0.75 * pelage_square_root(pelage_second_differences(curve).y) / (float(pieces) * float(pieces));
+  return 0.75 * pelage_square_root(pelage_detail_second_differences(curve).y) / (float(pieces) * float(pieces));
 }
 
 precise vec4 pelage_point_of_piece(pelage_bezier_segment curve, uint i, uint pieces) {

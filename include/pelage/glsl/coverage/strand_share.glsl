@@ -34,7 +34,7 @@ precise float pelage_kept_share(float width, float error, float least);
 precise float pelage_width_factor(float rank, float share);
 
 /// The 32 bits in reverse.
-uint pelage_reversed_bits(uint x) {
+uint pelage_detail_reversed_bits(uint x) {
   const uint ones = ((x & 0x55555555u) << 1u) | ((x >> 1u) & 0x55555555u);
   const uint twos = ((ones & 0x33333333u) << 2u) | ((ones >> 2u) & 0x33333333u);
   const uint fours = ((twos & 0x0f0f0f0fu) << 4u) | ((twos >> 4u) & 0x0f0f0f0fu);
@@ -51,7 +51,7 @@ precise float pelage_strand_rank(uint strand) {
   const uint b = (a + seed) * ((seed >> 16u) | 1u);
   const uint c = b ^ (b * 0x05526c56u);
   const uint d = c ^ (c * 0x53a22864u);
-  return float(pelage_reversed_bits(d) >> 8u) / 16777216.0;
+  return float(pelage_detail_reversed_bits(d) >> 8u) / 16777216.0;
 }
 
 precise float pelage_kept_share(float width, float error, float least) {
