@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
+#include <vector>
 
 #include "frame/fibres.hpp"
 #include "frame/frame.hpp"
@@ -47,7 +49,8 @@ TEST_CASE("a root stays to the bit, and every point as far from its root as it r
 
 TEST_CASE("no point moves farther than the amplitude's share of what bends, nor out of the bounds, at any time") {
   holds("bounds", [] {
-    const blown_lines lines;
+    blown_lines lines;
+    if (*rc::gen::arbitrary<bool>()) lines.hair = make_swaying(lines.model, 1.0F);  // where boxes are tightest
     const strands fibres = lines.moved();
     const box bounds = bounds_of(lines.model, lines.hair);
     const upright_bounds upright = upright_bounds::of(lines.model, lines.hair, {});
@@ -65,6 +68,27 @@ TEST_CASE("no point moves farther than the amplitude's share of what bends, nor 
       RC_ASSERT(glm::length(aside) <= upright.radius);
       RC_ASSERT(fibres.point[i].y >= upright.lower);
       RC_ASSERT(fibres.point[i].y <= upright.upper);
+    }
+  });
+}
+
+TEST_CASE("hair of full reach stays in its bounds in the strongest wind, whichever way it stands") {
+  holds("stiff hair", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    std::normal_distribution<float> any;
+    std::vector<std::vector<glm::vec3>> hairs(500);
+    for (std::vector<glm::vec3>& hair : hairs) {
+      const glm::vec3 root(any(random), any(random), any(random));
+      hair = {root, root + glm::normalize(glm::vec3(any(random), any(random), any(random)))};
+    }
+    const hair_model model = model_of(hairs, 0.01F, 0.5F);
+    const swaying_hair hair = make_swaying(model, 1.0F);
+    const wind now = hair.wind_at(*rc::gen::inRange(0U, 100000U));
+    for (const rest_point& p : hair.rest) {
+      const glm::vec3 there = now.moved(p.place, hair.rest[p.root].place);
+      const box range = hair.range_of(p);
+      RC_ASSERT(glm::all(glm::lessThanEqual(range.lower, there)));
+      RC_ASSERT(glm::all(glm::lessThanEqual(there, range.upper)));
     }
   });
 }

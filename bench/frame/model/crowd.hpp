@@ -12,7 +12,8 @@
 
 namespace pelage::frame {
 
-/// The upright cylinder about the y axis of the model that holds its fibres and what they stand on.
+/// The upright cylinder, its axis through the middle of the model's box, that holds the axes of its fibres and what
+/// they stand on.
 struct upright_bounds {
   glm::vec2 axis;  ///< x and z
   float radius;
@@ -24,7 +25,7 @@ struct upright_bounds {
 
 /// Where n copies of a model stand: in rows that are shifted by half a place against each other, as wide as the picture
 /// asks, every copy turned and a little moved by a hash of its number. Neighbours in space are near each other in the
-/// list. Copies do not touch. One copy is as it is.
+/// list. Axes are at least 0.98 diameters apart. One copy is as it is.
 /// `aspect`: the picture's width over its height, (0, inf).
 [[nodiscard]] std::vector<placement> crowd_places(std::uint32_t n, const upright_bounds& one, float aspect);
 

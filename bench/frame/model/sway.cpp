@@ -17,9 +17,9 @@ float dot(const glm::vec3& a, const glm::vec3& b) {
   return std::fma(a.z, b.z, std::fma(a.y, b.y, a.x * b.x));
 }
 
-/// Two parabolas a turn, in [-1, 1], within 0.06 of the sine.
+/// Two parabolas a turn, in [-1, 1], within 0.06 of the sine up to the rounding of `turns`.
 float wave(float turns) {
-  const float u = turns - std::floor(turns + 0.5F);
+  const float u = std::clamp(turns - std::floor(turns + 0.5F), -0.5F, 0.5F);
   return u * std::fma(std::abs(u), -16.0F, 8.0F);
 }
 
@@ -35,8 +35,7 @@ glm::vec3 force_at(const glm::vec3& place, const std::array<float, 3>& phase) {
   return {std::fma(0.15F, ripple, std::fma(0.35F, gust, 0.35F)), std::fma(0.2F, ripple, 0.1F), 0.35F * swirl};
 }
 
-/// How far along each axis the end of an arm is pushed by any wind of those forces. What it moves back along the arm
-/// leaves it between there and the root, for amplitudes of at most 1.
+/// How far along each axis the end of an arm is pushed by any wind of those forces, before it turns.
 box range_of_push(const glm::vec3& arm, float bend) {
   const float square = dot(arm, arm);
   box range{glm::vec3(0.0F), glm::vec3(0.0F)};
@@ -74,9 +73,15 @@ wind swaying_hair::wind_at(std::uint32_t frame) const {
 
 box swaying_hair::range_of(const rest_point& p) const {
   const glm::vec3& root = rest[p.root].place;
-  const box push = range_of_push(p.place - root, 0.5F * amplitude / reach);
+  const glm::vec3 arm = p.place - root;
+  const float bend = 0.5F * amplitude / reach;
+  const box push = range_of_push(arm, bend);
+  // A point is at root - arm + c (2 arm + push), c = 1 / (1 + tan²): linear in c, which is from this to 1.
+  const float least = 1.0F / (1.0F + bend * bend * dot(arm, arm));
+  const glm::vec3 turned = root + (2.0F * least - 1.0F) * arm;
   const glm::vec3 rounding = 1e-5F * (glm::abs(p.place) + reach);
-  return {glm::min(root, p.place + push.lower) - rounding, glm::max(root, p.place + push.upper) + rounding};
+  return {glm::min(p.place + push.lower, turned + least * push.lower) - rounding,
+          glm::max(p.place + push.upper, turned + least * push.upper) + rounding};
 }
 
 swaying_hair make_swaying(const hair_model& model, float amplitude) {

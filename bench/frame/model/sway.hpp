@@ -25,7 +25,7 @@ struct wind {
   float scale;                 ///< 1 over the hair's reach, 1 / length
 
   /// Where a point is in this wind. Its strand bends toward the wind by turning round its root, the more the farther
-  /// from there: the distance from the root stays, but for rounding, the root itself does to the bit, and a point that
+  /// from there: the root stays to the bit, and but for rounding so does the distance from there, and a point that
   /// rests at distance r from its root moves by less than 2 bend r².
   [[nodiscard]] glm::vec3 moved(const glm::vec3& place, const glm::vec3& root) const;
 };

@@ -186,8 +186,10 @@ class reduction {
   std::vector<std::uint64_t> place_;  ///< a strand's first point among those of the copy
 };
 
-void check_room(std::uint64_t points, std::size_t done, std::size_t copies) {
-  const double expected = static_cast<double>(points) / static_cast<double>(done) * static_cast<double>(copies);
+/// Of what is chosen, or where all copies are alike, of what will be. `done`: copies so far.
+void check_room(std::uint64_t points, std::size_t done, std::size_t copies, bool are_alike) {
+  const double share = are_alike ? static_cast<double>(copies) / static_cast<double>(done) : 1.0;
+  const double expected = share * static_cast<double>(points);
   if (points > std::numeric_limits<std::uint32_t>::max()) {
     throw std::length_error("the strands to draw have more than 2^32 - 1 points: raise the errors of detail");
   }
@@ -212,7 +214,7 @@ detailed_strands strands_in_detail(const strands& whole, std::span<const std::ui
   std::uint64_t points = 0;
   for (std::size_t n = 0; n < copies.size(); ++n) {
     points += one.find(copies[n], static_cast<std::uint32_t>(n) * strand_count);
-    check_room(points, n + 1, copies.size());
+    check_room(points, n + 1, copies.size(), !errors.any());
     one.append(copies[n], found);
   }
   return found;

@@ -28,11 +28,12 @@ struct detailed_strands {
 /// each. `first_point`: as in hair_model. A copy's strand is one of rank strand_rank(), by its number among those of
 /// all copies; its share is that of the widest that any view sees of it. A strand's points follow chord_run, with the
 /// least tolerance among the views; the radius may be off by the share `segment` of itself, or by as many pixels where
-/// it is wider than one. Points that stay have their own tangents and colours; what a point in between had is lost.
+/// it is wider than one, before a strand is widened for others. Points that stay have their own tangents and colours;
+/// what a point in between had is lost.
 ///
 /// Same bits for any number of threads. O(copies · points · views), parallel over strands; a byte a point of the model
-/// beside the result. Throws std::length_error for more than 2³² - 1 points, std::runtime_error where the result and
-/// what a frame needs for it would not fit into the machine's memory.
+/// beside the result. Throws std::length_error for more than 2³² - 1 points, std::runtime_error where several
+/// copies and what a frame needs for them do not fit into the machine's memory.
 [[nodiscard]] detailed_strands strands_in_detail(const strands& whole, std::span<const std::uint32_t> first_point,
                                                  std::span<const placement> copies, std::span<const view> views,
                                                  const detail_errors& errors);

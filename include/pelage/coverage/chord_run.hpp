@@ -29,16 +29,16 @@ namespace pelage::inline PELAGE_ABI {
 /// Then each passed point p lies within its tolerance of the chord's point at the same place along `along`, and so does
 /// each point of the segments between, within the tolerance that is linear between those of the ends; places along the
 /// chord rise with those along the strand. The radius, linear along the chord, is within the radius tolerance of p's at
-/// that place. Directions between the points are bounded by that alone. All by rounding more, some ulp of the chord's
-/// length and of the distance from the origin. Chords are as long as the walk can see: it does not go on past a point
-/// that no chord reaches.
+/// that place. Directions between the points are bounded by that alone. All by rounding more, some ulp of the distance
+/// from the origin, and of the chord's length times what the tolerance is of the first segment's, where that is more.
+/// Chords are as long as the walk can see: it does not go on past a point that no chord reaches.
 template <std::floating_point Real>
 struct chord_run {
-  glm::vec<3, Real> start;           ///< the point where it begins
-  glm::vec<3, Real> along;           ///< unit, toward the first point that is not `start`; 0 before there is one
-  glm::vec<3, Real> side;            ///< unit, at right angles
-  Real start_radius;                 ///< the fibre's, there
-  Real reach;                        ///< of the last point passed, along `along`; -1 before, +inf: nothing goes on
+  glm::vec<3, Real> start;  ///< the point where it begins
+  glm::vec<3, Real> along;  ///< toward the first other point, unit but where squares underflow; 0 before there is one
+  glm::vec<3, Real> side;   ///< unit, at right angles
+  Real start_radius;        ///< the fibre's, there
+  Real reach;               ///< of the last point passed, along `along`; -1 before, +inf: nothing goes on
   glm::vec<3, Real> least_slope;     ///< of a chord, per length along `along`: toward the side, toward along × side,
   glm::vec<3, Real> greatest_slope;  ///< and of the radius
 };
@@ -49,9 +49,10 @@ template <std::floating_point Real>
 [[nodiscard]] chord_run<Real> begin_chord(const glm::vec<3, Real>& point, Real radius, Real tolerance) noexcept;
 
 /// True if the chord from the run's start to this point may stand for the segments passed and the one that ends here;
-/// always for the first point after the start. Points must go on along the strand: one that turns back, or lies on the
-/// start after another, is not reached, nor is one whose `tolerance` is negative or NaN. NaN and infinities are never
-/// reached.
+/// always, whatever the tolerance, for the first
+/// point after the start, unless its distance from there is infinite or NaN. Others must go on along the strand: one
+/// that turns back, or lies on the start after another, is not reached, nor is one whose `tolerance` is negative or
+/// NaN. NaN and infinities are never reached; a NaN radius that was passed bounds nothing.
 template <std::floating_point Real>
 [[nodiscard]] bool chord_reaches(const chord_run<Real>& run, const glm::vec<3, Real>& point, Real radius,
                                  Real tolerance) noexcept;
@@ -64,13 +65,14 @@ template <std::floating_point Real>
 [[nodiscard]] chord_run<Real> pass_point(const chord_run<Real>& run, const glm::vec<3, Real>& point, Real radius,
                                          Real tolerance, Real radius_tolerance) noexcept;
 
-/// How far a point may move in space so that a perspective view shows it at most `error` pixels from where it was, in
-/// the unit of depth: a tolerance for pass_point(). An orthographic view's is `error` over its pixels per unit.
+/// How far a point may move in space so that a perspective view shows it at most `error` pixels from where it was, but
+/// for rounding, in the unit of depth: a tolerance for pass_point(). An orthographic view's is `error` over its pixels
+/// per unit.
 ///
-/// `error`: pixels, [0, inf). `depth`: view depth of the point; -1 comes back where it is less than `near_plane`, in
-/// (0, inf), or NaN: a segment that crosses the plane stays. `scale`: pixels per unit of tangent, (0, inf). `slant`:
-/// length of a pixel's ray with a view depth of 1, the longest of the view, [1, inf); where either place is outside of
-/// the view, the promise is for the other.
+/// `error`: pixels, [0, inf). `depth`: view depth of the point, finite; -1 comes back where it is less than
+/// `near_plane`, in (0, inf), or NaN: a segment that crosses the plane stays. `scale`: pixels per unit of tangent, (0,
+/// inf). `slant`: length of a pixel's ray with a view depth of 1, the longest of the view, [1, inf); where either place
+/// is outside of the view, the promise is for the other.
 template <std::floating_point Real>
 [[nodiscard]] Real screen_tolerance(Real error, Real depth, Real near_plane, Real scale, Real slant) noexcept;
 
@@ -138,7 +140,7 @@ chord_run<Real> pass_point(const chord_run<Real>& run, const glm::vec<3, Real>& 
 
 template <std::floating_point Real>
 Real screen_tolerance(Real error, Real depth, Real near_plane, Real scale, Real slant) noexcept {
-  return depth >= near_plane ? error * depth / (scale * slant + error) : Real(-1);
+  return depth >= near_plane ? depth * (error / (scale * slant + error)) : Real(-1);
 }
 
 }  // namespace pelage

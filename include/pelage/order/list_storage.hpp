@@ -46,7 +46,7 @@ concept list_storage = requires(Storage& s, const Storage& c, std::uint32_t n, f
 struct atomic_list_storage {
   std::span<std::uint32_t> links;  ///< one a list, then one a node; at most 2^32 - 2^24; clear() before use
   std::span<fragment> nodes;       ///< the pool, shared by all lists
-  std::uint32_t* taken;            ///< nodes asked for: those in use, and at most one more for each other thread
+  std::uint32_t* taken;            ///< nodes asked for: those in use, and what full pools were asked for besides
   std::uint32_t* refused;          ///< fragments that found the pool full, or are no fragments (NaN); modulo 2^32
 
   /// Empties every list and both counters. Not concurrent.

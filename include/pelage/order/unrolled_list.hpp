@@ -40,9 +40,11 @@ struct node_block {
   return 0xfffffffeu;
 }
 
-/// Takes `wanted` nodes, or as many as the pool has left: from 0 on the pool is full. The caller writes fragments to
-/// any part of the block's beginning, and counts with add_refused() those that found no node. Wait-free, O(1). The
-/// count wraps only if those who meet a full pool at once want more than 2^32 - node_capacity() nodes together.
+/// Takes `wanted` nodes, or as many as the pool has left: 0 of more than 0 means that it is full. The caller leaves out
+/// what is_fragment() refuses, writes fragments to any part of the block's beginning, and counts with add_refused()
+/// those that found no node. Wait-free, O(1). The
+/// count wraps only if those who ask before they see the pool full want more than 2^32 - node_capacity() nodes
+/// together.
 ///
 /// (1) and (2) are relaxed as take_node()'s, and for the same reasons.
 template <block_storage Storage>

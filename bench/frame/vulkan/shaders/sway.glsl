@@ -7,7 +7,7 @@
 
 /// Two parabolas a turn, in [-1, 1].
 precise float wave(float turns) {
-  const float u = turns - floor(turns + 0.5);
+  const float u = clamp(turns - floor(turns + 0.5), -0.5, 0.5);
   return u * fma(abs(u), -16.0, 8.0);
 }
 

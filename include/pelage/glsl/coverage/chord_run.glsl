@@ -23,12 +23,12 @@
 /// Then each passed point p lies within its tolerance of the chord's point at the same place along `along`, and so does
 /// each point of the segments between, within the tolerance that is linear between those of the ends; places along the
 /// chord rise with those along the strand. The radius, linear along the chord, is within the radius tolerance of p's at
-/// that place. Directions between the points are bounded by that alone. All by rounding more, some ulp of the chord's
-/// length and of the distance from the origin. Chords are as long as the walk can see: it does not go on past a point
-/// that no chord reaches.
+/// that place. Directions between the points are bounded by that alone. All by rounding more, some ulp of the distance
+/// from the origin, and of the chord's length times what the tolerance is of the first segment's, where that is more.
+/// Chords are as long as the walk can see: it does not go on past a point that no chord reaches.
 struct pelage_chord_run {
   vec3 start;           ///< the point where it begins
-  vec3 along;           ///< unit, toward the first point that is not `start`; 0 before there is one
+  vec3 along;           ///< toward the first other point, unit but where squares underflow; 0 before there is one
   vec3 side;            ///< unit, at right angles
   float start_radius;   ///< the fibre's, there
   float reach;          ///< of the last point passed, along `along`; -1 before, +inf: nothing goes on
@@ -41,9 +41,10 @@ struct pelage_chord_run {
 precise pelage_chord_run pelage_begin_chord(vec3 point, float radius, float tolerance);
 
 /// True if the chord from the run's start to this point may stand for the segments passed and the one that ends here;
-/// always for the first point after the start. Points must go on along the strand: one that turns back, or lies on the
-/// start after another, is not reached, nor is one whose `tolerance` is negative or NaN. NaN and infinities are never
-/// reached.
+/// always, whatever the tolerance, for the first
+/// point after the start, unless its distance from there is infinite or NaN. Others must go on along the strand: one
+/// that turns back, or lies on the start after another, is not reached, nor is one whose `tolerance` is negative or
+/// NaN. NaN and infinities are never reached; a NaN radius that was passed bounds nothing.
 precise bool pelage_chord_reaches(pelage_chord_run run, vec3 point, float radius, float tolerance);
 
 /// The run after a point that it reaches, or the first one. `tolerance`: how far from it the chord may pass, [0, inf),
@@ -53,13 +54,14 @@ precise bool pelage_chord_reaches(pelage_chord_run run, vec3 point, float radius
 precise pelage_chord_run pelage_pass_point(pelage_chord_run run, vec3 point, float radius, float tolerance,
                                            float radius_tolerance);
 
-/// How far a point may move in space so that a perspective view shows it at most `error` pixels from where it was, in
-/// the unit of depth: a tolerance for pelage_pass_point(). An orthographic view's is `error` over its pixels per unit.
+/// How far a point may move in space so that a perspective view shows it at most `error` pixels from where it was, but
+/// for rounding, in the unit of depth: a tolerance for pelage_pass_point(). An orthographic view's is `error` over its
+/// pixels per unit.
 ///
-/// `error`: pixels, [0, inf). `depth`: view depth of the point; -1 comes back where it is less than `near_plane`, in
-/// (0, inf), or NaN: a segment that crosses the plane stays. `scale`: pixels per unit of tangent, (0, inf). `slant`:
-/// length of a pixel's ray with a view depth of 1, the longest of the view, [1, inf); where either place is outside of
-/// the view, the promise is for the other.
+/// `error`: pixels, [0, inf). `depth`: view depth of the point, finite; -1 comes back where it is less than
+/// `near_plane`, in (0, inf), or NaN: a segment that crosses the plane stays. `scale`: pixels per unit of tangent, (0,
+/// inf). `slant`: length of a pixel's ray with a view depth of 1, the longest of the view, [1, inf); where either place
+/// is outside of the view, the promise is for the other.
 precise float pelage_screen_tolerance(float error, float depth, float near_plane, float scale, float slant);
 
 /// A point from the start of the run: toward the side, toward along × side, and the radius.
@@ -115,7 +117,7 @@ precise pelage_chord_run pelage_pass_point(pelage_chord_run run, vec3 point, flo
 }
 
 precise float pelage_screen_tolerance(float error, float depth, float near_plane, float scale, float slant) {
-  return depth >= near_plane ? error * depth / (scale * slant + error) : -1.0;
+  return depth >= near_plane ? depth * (error / (scale * slant + error)) : -1.0;
 }
 
 #endif

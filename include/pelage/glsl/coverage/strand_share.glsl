@@ -28,9 +28,10 @@ precise float pelage_kept_share(float width, float error, float least);
 /// 1 / share for ranks well below the share, 0 from a little above it on, where the strand is not drawn, and a smooth
 /// step over the quarter of min(share, 1 - share) on either side, by which a strand fades in or out.
 ///
-/// The mean over all ranks is 1 for any share, and 1 is the factor of all at a share of 1. Continuous in the share at
-/// each rank; a strand that is drawn at a share is drawn at each greater one. `rank`: [0, 1). `share`: (0, 1]; outside
-/// of it, and for NaN in either, 1.
+/// The mean over all of [0, 1) is 1 for any share (over the ranks that pelage_strand_rank() has, within 3e-5 of it
+/// for shares from 0.001 on), and 1 is the factor of all at a share of 1. Continuous in the share at
+/// each rank; a strand that is drawn at a share is drawn at each greater one. `rank`: [0, 1). `share`: [2⁻²⁰, 1]; above
+/// 1, at or below 0, and for NaN in either, 1.
 precise float pelage_width_factor(float rank, float share);
 
 /// The 32 bits in reverse.

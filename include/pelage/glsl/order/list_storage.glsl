@@ -14,7 +14,7 @@
 //   PELAGE_ATOMIC_LIST_STORAGE_NODES(i)  the pool, shared by all lists
 //   PELAGE_ATOMIC_LIST_STORAGE_NODES_SIZE  how many of them
 //   PELAGE_ATOMIC_LIST_STORAGE_REFUSED  fragments that found the pool full, or are no fragments (NaN); modulo 2^32
-//   PELAGE_ATOMIC_LIST_STORAGE_TAKEN  nodes asked for: those in use, and at most one more for each other thread
+//   PELAGE_ATOMIC_LIST_STORAGE_TAKEN  nodes asked for: those in use, and what full pools were asked for besides
 #ifndef PELAGE_ATOMIC_LIST_STORAGE_LINKS
 #error order/list_storage.glsl: define PELAGE_ATOMIC_LIST_STORAGE_LINKS(i) before the include
 #endif

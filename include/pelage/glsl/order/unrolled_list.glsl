@@ -30,9 +30,10 @@ uint pelage_unrolled_list_list_end() {
   return 0xfffffffeu;
 }
 
-/// Takes `wanted` nodes, or as many as the pool has left: from 0 on the pool is full. The caller writes fragments to
-/// any part of the block's beginning, and counts with add_refused() those that found no node. Wait-free, O(1). The
-/// count wraps only if those who meet a full pool at once want more than 2^32 - node_capacity() nodes together.
+/// Takes `wanted` nodes, or as many as the pool has left: 0 of more than 0 means that it is full. The caller leaves out
+/// what pelage_is_fragment() refuses, writes fragments to any part of the block's beginning, and counts with
+/// add_refused() those that found no node. Wait-free, O(1). The count wraps only if those who ask before they see the
+/// pool full want more than 2^32 - node_capacity() nodes together.
 ///
 /// (1) and (2) are relaxed as pelage_take_node()'s, and for the same reasons.
 pelage_unrolled_list_node_block pelage_unrolled_list_take(uint wanted) {
