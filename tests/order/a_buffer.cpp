@@ -3,7 +3,7 @@
 #include <pelage/order/a_buffer.hpp>
 #include <pelage/order/k_buffer.hpp>
 
-#include "order/lists.hpp"
+#include "order/unsorted_faults.hpp"
 #include "property.hpp"
 
 #include <atomic>
@@ -73,14 +73,9 @@ TEST_CASE("two lists take 40,000 fragments from 8 threads at full speed, and ref
 
 // From here on the checks are themselves checked: each fault must be found, and by the law that it breaks.
 
-const std::vector<offer> two = {{0u, fragment{2.0f, 2u}}, {0u, fragment{1.0f, 1u}}};
-
-/// Pushes to one list, the last while the last but one is on its way.
 template <class Storage>
 std::string law_broken_by(std::uint32_t capacity, const std::vector<offer>& offers = two) {
-  pool<Storage> storage(1u, capacity);
-  const std::vector<offer> returned = offer_interrupted(storage, unsorted_lists{}, offers);
-  return broken_law(storage, unsorted_lists{}, offers, returned, 2u);
+  return interrupted_law<Storage, unsorted_lists>(capacity, offers);
 }
 
 TEST_CASE("seeded: without a fault the checks find none") {
@@ -88,15 +83,6 @@ TEST_CASE("seeded: without a fault the checks find none") {
   CHECK(law_broken_by<interrupted>(1u) == "");
   CHECK(law_broken_by<interrupted>(2u) == "");
 }
-
-struct torn_exchange : interrupted {
-  std::uint32_t exchange_link(std::uint32_t link, std::uint32_t node, std::memory_order order) {
-    const std::uint32_t found = load_link(link, order);
-    interrupt();
-    store_link(link, node, order);
-    return found;
-  }
-};
 
 TEST_CASE("seeded: an exchange in two steps loses the fragment pushed between them") {
   CHECK(law_broken_by<torn_exchange>(2u) == "a fragment is not exactly once in its list or returned");
