@@ -128,13 +128,17 @@ TEST_CASE("cusps and loops are within the bounds, and a cusp of one piece needs 
   CHECK(greatest_piece_length(0.0, piece_error(turned, 1u)) < 1.2 * 1.5);  // there and back: 2 · 0.75
 }
 
+/// Of the unit circle, but for what a cubic may differ from it.
+bezier_segment<double> arc_of(double angle) {
+  const double handle = 4.0 / 3.0 * std::tan(angle / 4.0);
+  const glm::dvec4 start(1, 0, 0, 0), end(std::cos(angle), std::sin(angle), 0, 0);
+  return {{start, start + handle * glm::dvec4(0, 1, 0, 0), end + handle * glm::dvec4(end.y, -end.x, 0, 0), end}};
+}
+
 TEST_CASE("the whole length falls short by no more than the pieces' bounds together") {
   holds("for a tenth of a circle and more", [] {
     const double angle = 1e-3 * *rc::gen::inRange(300, 1571);
-    const double handle = 4.0 / 3.0 * std::tan(angle / 4.0);
-    const glm::dvec4 start(1, 0, 0, 0), end(std::cos(angle), std::sin(angle), 0, 0);
-    const bezier_segment<double> arc{
-        {start, start + handle * glm::dvec4(0, 1, 0, 0), end + handle * glm::dvec4(end.y, -end.x, 0, 0), end}};
+    const bezier_segment<double> arc = arc_of(angle);
     const double error = std::exp2(-*rc::gen::inRange(4, 16));
     const std::uint32_t pieces = pieces_within(arc, error, 1.0);
     const auto points = points_of(arc, pieces);
@@ -152,10 +156,7 @@ TEST_CASE("the whole length falls short by no more than the pieces' bounds toget
 TEST_CASE("no more pieces than half as many again as an arc needs, and one") {
   holds("for arcs of a circle", [] {
     const double angle = 1e-3 * *rc::gen::inRange(300, 1571);
-    const double handle = 4.0 / 3.0 * std::tan(angle / 4.0);
-    const glm::dvec4 start(1, 0, 0, 0), end(std::cos(angle), std::sin(angle), 0, 0);
-    const bezier_segment<double> arc{
-        {start, start + handle * glm::dvec4(0, 1, 0, 0), end + handle * glm::dvec4(end.y, -end.x, 0, 0), end}};
+    const bezier_segment<double> arc = arc_of(angle);
     const double error = std::exp2(-*rc::gen::inRange(4, 20));
     const double pieces = pieces_within(arc, error, 1.0);
     // The sagitta of each of n equal parts of the circle is 1 - cos(angle / 2n).

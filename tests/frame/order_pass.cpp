@@ -6,6 +6,7 @@
 
 #include "frame/fibres.hpp"
 #include "frame/model/built_in.hpp"
+#include "frame/order_methods.hpp"
 #include "frame/raster/sweep.hpp"
 
 #include <algorithm>
@@ -19,16 +20,6 @@
 namespace pelage::test {
 
 using namespace frame;
-
-constexpr std::array all_methods{order_method::k_buffer,
-                                 order_method::a_buffer,
-                                 order_method::unrolled_list,
-                                 order_method::ordered_list,
-                                 order_method::atomic_k_buffer,
-                                 order_method::split_k_buffer,
-                                 order_method::partial_selection_sort,
-                                 order_method::selection_sort,
-                                 order_method::full_sort};
 
 bool keeps_all(order_method method) {
   return method == order_method::selection_sort || method == order_method::full_sort;
