@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -17,24 +16,12 @@
 #include <vector>
 
 #include "frame/base/compiled_sizes.hpp"
+#include "frame/base/stopwatch.hpp"
 #include "frame/order/order_pass.hpp"
 #include "frame/raster/sweep.hpp"
 
 /// What the methods of an order pass share. For order_pass.cpp and the methods' own files.
 namespace pelage::frame {
-
-class stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// One pass: where the fragments come from and where they go.
 struct order_job {

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <span>
 
-#include "frame/order/order_job.hpp"
+#include "frame/base/stopwatch.hpp"
 
 namespace pelage::frame {
 namespace {

@@ -74,6 +74,10 @@ struct solids {
   [[nodiscard]] Real free_way(const glm::vec<3, Real>& surface, const glm::vec<3, Real>& direction) const;
 
  private:
+  /// Calls `visit(copy)` for the copies whose spheres, and whose clusters' spheres, `meets`.
+  template <class Meets, class Visit>
+  void for_each_copy(const Meets& meets, const Visit& visit) const;
+
   /// As first_entry() and hit_ellipsoids(), of all copies.
   template <class Real>
   [[nodiscard]] Real entry(const glm::vec<3, Real>& origin, const glm::vec<3, Real>& direction, float within) const;
@@ -112,18 +116,24 @@ Real solids::free_way(const glm::vec<3, Real>& surface, const glm::vec<3, Real>&
   return floor ? least(fall(surface, direction), free) : free;
 }
 
+template <class Meets, class Visit>
+void solids::for_each_copy(const Meets& meets, const Visit& visit) const {
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    if (!meets(clusters[c])) continue;
+    for (std::size_t i = c * cluster_size; i < std::min(copies.size(), (c + 1) * cluster_size); ++i)
+      if (meets(bodies[i])) visit(copies[i]);
+  }
+}
+
 template <class Real>
 Real solids::entry(const glm::vec<3, Real>& origin, const glm::vec<3, Real>& direction, float within) const {
   if (copies.empty()) return first_entry<Real>(parts, origin, direction, within);
   Real nearest(std::numeric_limits<float>::infinity());
-  for (std::size_t c = 0; c < clusters.size(); ++c) {
-    if (!holds_for_any(clusters[c].is_met(origin, direction))) continue;
-    for (std::size_t i = c * cluster_size; i < std::min(copies.size(), (c + 1) * cluster_size); ++i) {
-      if (!holds_for_any(bodies[i].is_met(origin, direction))) continue;
-      const placement& copy = copies[i];
-      nearest = least(first_entry<Real>(parts, copy.to_model(origin), copy.turned_back(direction), within), nearest);
-    }
-  }
+  for_each_copy([&](const body_sphere& s) { return holds_for_any(s.is_met(origin, direction)); },
+                [&](const placement& copy) {
+                  const glm::vec<3, Real> from = copy.to_model(origin);
+                  nearest = least(first_entry<Real>(parts, from, copy.turned_back(direction), within), nearest);
+                });
   return nearest;
 }
 
@@ -134,10 +144,9 @@ surface_hit<Real> solids::hit_bodies(const glm::vec<3, Real>& origin, const glm:
   if (!holds_for_any(nearest < Real(std::numeric_limits<float>::infinity()))) return {nearest, {}};
   const glm::vec<3, Real> at = origin + nearest * direction;
   glm::vec<3, Real> sum(Real(0.0F));
-  for (std::size_t i = 0; i < copies.size(); ++i) {
-    if (!holds_for_any(bodies[i].holds(at))) continue;
-    sum = sum + copies[i].turned(sum_of_normals<Real>(parts, copies[i].to_model(at)));
-  }
+  for_each_copy(
+      [&](const body_sphere& s) { return holds_for_any(s.holds(at)); },
+      [&](const placement& copy) { sum = sum + copy.turned(sum_of_normals<Real>(parts, copy.to_model(at))); });
   return {nearest, unit_vector(sum)};
 }
 

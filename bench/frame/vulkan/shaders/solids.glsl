@@ -34,7 +34,13 @@ bool is_met(sphere_block body, vec3 origin, vec3 direction) {
   return dot(from, from) - along * along / dot(direction, direction) < body.radius * body.radius;
 }
 
-/// Where a ray first enters a part of a body. Entries count that lie at most `within` of a part's first radius before the origin.
+bool holds(sphere_block body, vec3 p) {
+  const vec3 from = p - body.centre;
+  return dot(from, from) < body.radius * body.radius;
+}
+
+/// Where a ray first enters a part of a body. Entries count that lie at most `within` of a part's first radius before
+/// the origin.
 float entry_of_parts(vec3 origin, vec3 direction, float within) {
   float nearest = uintBitsToFloat(0x7f800000u);
   for (uint i = 0u; i < scene.part_count; ++i) {
@@ -112,10 +118,14 @@ vec3 shading_normal(vec3 p) {
     return normalize(sum_of_normals(p));
   }
   vec3 sum = vec3(0.0);
-  for (uint i = 0u; i < scene.copy_count; ++i) {
-    const vec3 from = p - scene.bodies[i].centre;
-    if (dot(from, from) < scene.bodies[i].radius * scene.bodies[i].radius) {
-      sum += turned_copy(i, sum_of_normals(turned_back(i, p - place_of_copy(i))));
+  for (uint first = 0u; first < scene.copy_count; first += cluster_size) {
+    if (!holds(scene.clusters[first / cluster_size], p)) {
+      continue;
+    }
+    for (uint i = first; i < min(first + cluster_size, scene.copy_count); ++i) {
+      if (holds(scene.bodies[i], p)) {
+        sum += turned_copy(i, sum_of_normals(turned_back(i, p - place_of_copy(i))));
+      }
     }
   }
   return normalize(sum);
