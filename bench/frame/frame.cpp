@@ -75,11 +75,7 @@ frame_result draw_frame(const stage& set, const frame_settings& settings,
   result.picture = film.picture();
   result.passes.push_back({"camera", prepared, report, result.picture.pixels.size() * sizeof(glm::vec3), shaded});
   result.seconds = seconds_since(start);
-  result.sorts = set.slices.sorts;
-  result.sort_seconds = set.slices.sort_seconds;
-  result.strands = set.strand_count;
-  result.segments = set.fibres.segment_count();
-  result.detail_seconds = set.detail_seconds;
+  result.drawn = report_of(set);
   progress("done", 1.0);
   return result;
 }

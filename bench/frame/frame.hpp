@@ -26,12 +26,8 @@ struct pass_report {
 struct frame_result {
   image picture;
   std::vector<pass_report> passes;
-  double seconds = 0;          ///< all passes, without loading and saving
-  std::uint32_t sorts = 0;     ///< of the slices' order, over all frames of a turn
-  double sort_seconds = 0;     ///< what they took
-  std::uint32_t strands = 0;   ///< that were drawn
-  std::uint32_t segments = 0;  ///< of those
-  double detail_seconds = 0;   ///< what it took to choose them, in all frames
+  double seconds = 0;  ///< all passes, without loading and saving
+  drawn_report drawn{};
 };
 
 /// Draws a frame. `progress` is called between passes with their name and the share that is done, [0, 1].
@@ -39,7 +35,7 @@ struct frame_result {
 [[nodiscard]] frame_result draw_frame(const hair_model& model, const frame_settings& settings,
                                       const std::function<void(const std::string&, double)>& progress);
 
-/// The same of a stage that set_up() made with these settings, or move_camera() or sway() after it.
+/// The same of a stage that set_up() made with these settings, or move_camera() or move_hair() after it.
 [[nodiscard]] frame_result draw_frame(const stage& set, const frame_settings& settings,
                                       const std::function<void(const std::string&, double)>& progress);
 

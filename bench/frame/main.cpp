@@ -66,6 +66,14 @@ nlohmann::json report_of(const command_line& c, const hair_model& model) {
           {"sway", c.settings.sway}};
 }
 
+nlohmann::json report_of(const drawn_report& drawn) {
+  return {{"strands_drawn", drawn.strands},
+          {"segments_drawn", drawn.segments},
+          {"detail_seconds", drawn.detail_seconds},
+          {"slice_sorts", drawn.sorts},
+          {"slice_sort_seconds", drawn.sort_seconds}};
+}
+
 nlohmann::json report_of(const frame_result& frame) {
   nlohmann::json passes = nlohmann::json::array();
   for (const pass_report& p : frame.passes) {
@@ -82,14 +90,7 @@ nlohmann::json report_of(const frame_result& frame) {
                       {"structure_bytes", p.order.bytes},
                       {"result_bytes", p.bytes}});
   }
-  return {{"seconds", frame.seconds},
-          {"peak_bytes", peak_memory()},
-          {"strands_drawn", frame.strands},
-          {"segments_drawn", frame.segments},
-          {"detail_seconds", frame.detail_seconds},
-          {"slice_sorts", frame.sorts},
-          {"slice_sort_seconds", frame.sort_seconds},
-          {"passes", passes}};
+  return {{"seconds", frame.seconds}, {"passes", passes}};
 }
 
 nlohmann::json report_of(const device_frame& frame) {
@@ -105,13 +106,7 @@ nlohmann::json report_of(const device_frame& frame) {
           {"same_hash", frame.same},
           {"hash", fmt::format("{:016x}", frame.hash)},
           {"device_bytes", frame.bytes},
-          {"peak_bytes", peak_memory()},
           {"redrawn", frame.redrawn},
-          {"strands_drawn", frame.strands},
-          {"segments_drawn", frame.segments},
-          {"detail_seconds", frame.detail_seconds},
-          {"slice_sorts", frame.sorts},
-          {"slice_sort_seconds", frame.sort_seconds},
           {"views", views},
           {"passes", passes}};
 }
@@ -127,10 +122,9 @@ std::pair<std::uint64_t, std::uint64_t> count_fragments(const frame_result& fram
 }
 
 /// What is drawn of a model, where that is not all of it once.
-template <class Frame>
-std::string drawn_in(const command_line& c, const Frame& frame) {
+std::string drawn_in(const command_line& c, const drawn_report& drawn) {
   if (c.settings.crowd == 1 && !c.settings.detail.any()) return {};
-  return fmt::format("{} strands and {} segments drawn, ", frame.strands, frame.segments);
+  return fmt::format("{} strands and {} segments drawn, ", drawn.strands, drawn.segments);
 }
 
 /// Linear red, green and blue, as they are before they become 8 bits.
@@ -192,7 +186,8 @@ void run(const command_line& c) {
   if (c.on_device) {
     device_frame frame = draw_frame_on_device(model, c.settings, c.frames, c.turn);
     report.update(report_of(frame));
-    said += drawn_in(c, frame);
+    report.update(report_of(frame.drawn));
+    said += drawn_in(c, frame.drawn);
     said +=
         fmt::format("{:.3f} ms on {}, {} of {} frames are {}{:016x}\n", frame.milliseconds, frame.device, frame.same,
                     frame.frames, c.settings.sway > 0.0F ? "the same when drawn again, all together " : "", frame.hash);
@@ -200,14 +195,16 @@ void run(const command_line& c) {
   } else {
     frame_result frame = arena.execute([&] { return draw_turn(model, c.settings, c.frames, c.turn, show_progress); });
     report.update(report_of(frame));
+    report.update(report_of(frame.drawn));
     report["threads"] = threads;
     const auto [fragments, behind] = count_fragments(frame);
-    said += drawn_in(c, frame);
+    said += drawn_in(c, frame.drawn);
     said += fmt::format("{:.2f} s, {:.0f} MB at most, {:.1f} million fragments, {:.1f} million of them in tails\n",
                         frame.seconds, static_cast<double>(peak_memory()) / 1e6, static_cast<double>(fragments) / 1e6,
                         static_cast<double>(behind) / 1e6);
     picture = std::move(frame.picture);
   }
+  report["peak_bytes"] = peak_memory();
   results.write(out, encode_png(picture));
   report["mean"] = mean_of(picture);
   if (other) {

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "frame/base/random.hpp"
+#include "frame/base/stopwatch.hpp"
 #include "frame/model/bust.hpp"
 #include "frame/model/crowd.hpp"
-#include "frame/order/order_job.hpp"
 
 namespace pelage::frame {
 namespace {
@@ -183,14 +183,14 @@ void choose_detail(stage& s, const frame_settings& settings) {
       strands_in_detail(s.whole->fibres, s.whole->first_point, s.whole->copies, drawn, settings.detail);
   s.fibres = std::move(found.fibres);
   s.strand_count = found.count;
+  s.drawing_order = drawing_order(s.fibres.segment_count(), settings.shuffle);
   s.slices.segments.clear();  // they are others
   s.detail_seconds += watch.lap();
 }
 
-/// What depends on where the views and the model's strands are: the strands that are drawn, and their orders.
+/// What depends on where the views and the model's strands are: the strands that are drawn, and their slices.
 void choose_strands(stage& s, const frame_settings& settings) {
   if (s.whole) choose_detail(s, settings);
-  s.drawing_order = drawing_order(s.fibres.segment_count(), settings.shuffle);
   s.slices.slices = is_sliced(settings) ? settings.blend.size : 0;
   s.slices.update(s.fibres, s.bounds, -direction_of(s.from));
 }
@@ -225,6 +225,8 @@ stage set_up(const hair_model& model, const frame_settings& settings) {
     std::vector<placement> copies = s.opaque.copies;
     if (copies.empty()) copies.emplace_back();
     s.whole = whole_model{std::move(s.fibres), model.first_point, std::move(copies)};
+  } else {
+    s.drawing_order = drawing_order(s.fibres.segment_count(), settings.shuffle);
   }
   s.round = sphere_round(s.bounds);
   s.opaque.clear = 5.0F * s.round.radius;
@@ -255,6 +257,10 @@ void move_hair(stage& s, const frame_settings& settings, std::uint32_t frame) {
   if (!s.hair.moves()) return;
   sway(s.hair, frame, s.whole ? s.whole->fibres : s.fibres);
   choose_strands(s, settings);
+}
+
+drawn_report report_of(const stage& s) {
+  return {s.strand_count, s.fibres.segment_count(), s.detail_seconds, s.slices.sorts, s.slices.sort_seconds};
 }
 
 fibre_bsdf make_bsdf(const stage& set, const fibre_look& look) {

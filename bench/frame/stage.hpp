@@ -58,6 +58,17 @@ void move_camera(stage& s, const frame_settings& settings);
 /// Moves the hair to where the wind has it in a frame; nothing where none blows.
 void move_hair(stage& s, const frame_settings& settings, std::uint32_t frame);
 
+/// Of the strands that are drawn.
+struct drawn_report {
+  std::uint32_t strands = 0;
+  std::uint32_t segments = 0;
+  double detail_seconds = 0;  ///< what it took the CPU to choose them, in all frames
+  std::uint32_t sorts = 0;    ///< of the slices' order, in all frames
+  double sort_seconds = 0;    ///< what they took
+};
+
+[[nodiscard]] drawn_report report_of(const stage& s);
+
 /// How the stage's fibres scatter light. Throws as fibre_bsdf does.
 [[nodiscard]] fibre_bsdf make_bsdf(const stage& set, const fibre_look& look);
 

@@ -198,8 +198,8 @@ TEST_CASE("neither threads nor drawing order change a bit of a picture with less
     settings.detail = {0.3F, 0.2F};
     settings.crowd = crowd;
     const frame_result first = draw(settings, 1);
-    CHECK(first.segments < crowd * small_strands().segment_count());
-    CHECK(first.strands < crowd * small_hair().strand_count());
+    CHECK(first.drawn.segments < crowd * small_strands().segment_count());
+    CHECK(first.drawn.strands < crowd * small_hair().strand_count());
     for (const int threads : {2, 4}) {
       settings.shuffle = static_cast<std::uint64_t>(threads);
       CHECK(same_bits(draw(settings, threads).picture.pixels, first.picture.pixels));
@@ -213,7 +213,7 @@ TEST_CASE("a picture whose segments are within a tenth of a pixel is the full on
   const frame_result full = draw(settings);
   settings.detail.segment = 0.1F;
   const frame_result few = draw(settings);
-  CHECK(few.segments < 0.95 * full.segments);
+  CHECK(few.drawn.segments < 0.95 * full.drawn.segments);
   CHECK(compare(few.picture, full.picture).rms < 0.001);
 }
 

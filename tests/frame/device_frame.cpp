@@ -11,17 +11,9 @@
 
 #include "frame/fibres.hpp"
 #include "frame/on_device.hpp"
+#include "frame/order_methods.hpp"
 
 namespace pelage::test {
-
-constexpr order_method methods[]{order_method::k_buffer,
-                                 order_method::a_buffer,
-                                 order_method::unrolled_list,
-                                 order_method::ordered_list,
-                                 order_method::atomic_k_buffer,
-                                 order_method::split_k_buffer,
-                                 order_method::partial_selection_sort,
-                                 order_method::selection_sort};
 
 frame_settings ordered_frame(order_method order, std::uint32_t k) {
   frame_settings s = small_frame();
@@ -64,7 +56,7 @@ TEST_CASE("A device's picture is the processor's except for rounding") {
 
 TEST_CASE("Every structure draws one picture, in every frame") {
   std::optional<std::uint64_t> first;
-  for (const order_method order : methods) {
+  for (const order_method order : device_methods) {
     if (order == order_method::selection_sort) continue;  // it has no tail
     CAPTURE(static_cast<int>(order));
     const std::optional<device_frame> got = draw(ordered_frame(order, 4), 10);
@@ -77,7 +69,7 @@ TEST_CASE("Every structure draws one picture, in every frame") {
 
 TEST_CASE("Truncated, every structure draws the processor's one picture, and what lies behind K is lost") {
   std::optional<std::uint64_t> first;
-  for (const order_method order : methods) {
+  for (const order_method order : device_methods) {
     if (order == order_method::selection_sort) continue;  // it loses nothing
     CAPTURE(static_cast<int>(order));
     frame_settings settings = ordered_frame(order, 4);
@@ -261,9 +253,9 @@ TEST_CASE("a device draws fewer strands and segments, and a crowd, as the CPU do
   const std::optional<device_frame> first = draw(settings);
   if (!first) return;
   const frame_result expected = drawn_here(settings);
-  CHECK(first->strands == expected.strands);
-  CHECK(first->segments == expected.segments);
-  CHECK(first->segments < 3 * small_hair().segment_count());
+  CHECK(first->drawn.strands == expected.drawn.strands);
+  CHECK(first->drawn.segments == expected.drawn.segments);
+  CHECK(first->drawn.segments < 3 * small_hair().segment_count());
   CHECK(compare(first->picture, expected.picture).rms < 0.0003);
   CHECK(same_bits(draw(turned, 3, small_hair(), 15.0F)->picture.pixels, first->picture.pixels));
 }

@@ -24,7 +24,7 @@ TEST_CASE("slices on a device are the processor's except for rounding, in any or
     const std::optional<device_frame> got = draw(settings, 3);
     if (!got) return;
     CHECK(got->same == 3);
-    CHECK(got->sorts == 1);
+    CHECK(got->drawn.sorts == 1);
     CHECK(got->views.back().longest > 16);
     const image_difference d = compare(got->picture, drawn_here(settings).picture);
     CHECK(d.rms < 0.001);
@@ -43,8 +43,8 @@ TEST_CASE("a camera that turns on a device sees what it sees on the processor, a
     const std::optional<device_frame> got = draw(settings, frames, small_hair(), degrees);
     if (!got) return;
     const frame_result expected = drawn_here(settings, frames, small_hair(), degrees);
-    CHECK(got->sorts == sorts);
-    CHECK(expected.sorts == sorts);
+    CHECK(got->drawn.sorts == sorts);
+    CHECK(expected.drawn.sorts == sorts);
     CHECK(compare(got->picture, expected.picture).rms < 0.001);
   }
   settings.blend = {};

@@ -188,18 +188,18 @@ TEST_CASE("a turning camera sorts anew once it has turned by more than 18.2 degr
   const hair_model hair = make_built_in(60, 8, 1);
   frame_settings settings = small_frame(blend_method::sliced, 256);
   settings.from = glm::vec2(5.0F, 0.0F);
-  CHECK(draw(hair, settings).sorts == 1);
-  CHECK(draw(hair, settings, 5, 4.5F).sorts == 1);   // 18 degrees at the last
-  CHECK(draw(hair, settings, 5, 4.6F).sorts == 2);   // 18.4
-  CHECK(draw(hair, settings, 5, 10.0F).sorts == 3);  // at 0, 20 and 40
-  CHECK(draw(hair, settings, 4, 19.0F).sorts == 4);
+  CHECK(draw(hair, settings).drawn.sorts == 1);
+  CHECK(draw(hair, settings, 5, 4.5F).drawn.sorts == 1);   // 18 degrees at the last
+  CHECK(draw(hair, settings, 5, 4.6F).drawn.sorts == 2);   // 18.4
+  CHECK(draw(hair, settings, 5, 10.0F).drawn.sorts == 3);  // at 0, 20 and 40
+  CHECK(draw(hair, settings, 4, 19.0F).drawn.sorts == 4);
   frame_settings there = settings;
   there.from = turned(*settings.from, 19.0F, 3);
   CHECK(same_picture(draw(hair, settings, 4, 19.0F), draw(hair, there)));
   there.from = turned(*settings.from, 9.0F, 2);
   CHECK_FALSE(same_picture(draw(hair, settings, 3, 9.0F), draw(hair, there)));  // the order of 18 degrees before
   settings.blend = there.blend = {};
-  CHECK(draw(hair, settings, 3, 9.0F).sorts == 0);
+  CHECK(draw(hair, settings, 3, 9.0F).drawn.sorts == 0);
   CHECK(same_picture(draw(hair, settings, 3, 9.0F), draw(hair, there)));
 }
 

@@ -187,8 +187,8 @@ TEST_CASE("moving hair in less detail, of one head or a crowd, is the same bits 
     settings.detail = {0.5F, 2.0F};
     settings.crowd = crowd;
     const frame_result first = on_threads(1, [&] { return draw(settings, 3); });
-    CHECK(first.strands < crowd * 60);
-    CHECK(first.segments < 8 * first.strands);
+    CHECK(first.drawn.strands < crowd * 60);
+    CHECK(first.drawn.segments < 8 * first.drawn.strands);
     CHECK_FALSE(same_bits(draw(settings, 2).picture.pixels, first.picture.pixels));
     settings.shuffle = 5;
     CHECK(same_bits(on_threads(3, [&] { return draw(settings, 3); }).picture.pixels, first.picture.pixels));

@@ -60,29 +60,20 @@ std::vector<lobes> lobes_of(const marschner_table<float>& n) {
   return all;
 }
 
-template <class Values>
-void upload_all(device& to, std::uint32_t binding, const Values& values) {
-  to.resize(binding, values.size() * sizeof(values[0]));
-  to.upload(binding, std::as_bytes(std::span(values)));
-}
-
 }  // namespace
 
-void upload_bsdf(device& to, const fibre_bsdf& bsdf, std::size_t points) {
+void upload_bsdf(device& to, const fibre_bsdf& bsdf) {
+  std::vector<std::byte> block;
   if (const azimuthal_table* const table = bsdf.table()) {
     const head first = head_of(bsdf, *table);
     const std::span<const std::byte> bytes = std::as_bytes(std::span(&first, 1));
-    std::vector<std::byte> block(bytes.begin(), bytes.end());
+    block.assign(bytes.begin(), bytes.end());
     const std::vector<lobes> rest = lobes_of(table->lobes());
     const std::span<const std::byte> more = std::as_bytes(std::span(rest));
     block.insert(block.end(), more.begin(), more.end());
-    upload_all(to, bsdf_buffer, block);
-    return;
   }
-  to.resize(bsdf_buffer, 0);
-  if (const std::optional<glm::vec3> colour = bsdf.pigment_colour()) {
-    upload_all(to, colour_buffer, std::vector<glm::vec3>(points, *colour));
-  }
+  to.resize(bsdf_buffer, block.size());
+  to.upload(bsdf_buffer, block);
 }
 
 }  // namespace pelage::frame::vulkan

@@ -58,7 +58,8 @@ std::vector<std::uint32_t> drawn_together(const strands& fibres) {
 
 }  // namespace
 
-void upload_fibres(device& to, const strands& fibres, std::span<const std::uint32_t> drawing_order) {
+void upload_fibres(device& to, const strands& fibres, std::span<const std::uint32_t> drawing_order,
+                   const std::optional<glm::vec3>& colour) {
   const std::size_t count = fibres.point.size();
   if (count >= ends_strand) throw std::runtime_error("--device vulkan: the model has more than 2^30 points");
   std::vector<glm::vec4> points(count);
@@ -76,7 +77,11 @@ void upload_fibres(device& to, const strands& fibres, std::span<const std::uint3
   }
   upload_all(to, point_buffer, points);
   upload_all(to, tangent_buffer, fibres.tangent);
-  upload_all(to, colour_buffer, fibres.colour);
+  if (colour) {
+    upload_all(to, colour_buffer, std::vector<glm::vec3>(count, *colour));
+  } else {
+    upload_all(to, colour_buffer, fibres.colour);
+  }
   upload_all(to, opacity_buffer, fibres.opacity);
   upload_all(to, segment_buffer, segments);
 }

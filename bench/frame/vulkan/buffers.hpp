@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
+#include <span>
 
 #include "frame/stage.hpp"
 #include "vulkan/device.hpp"
@@ -52,9 +54,10 @@ struct view_report {
 };
 
 /// Uploads what does not change from frame to frame: the strands and the order of drawing them; without one, segments
-/// that lie near each other are drawn together.
+/// that lie near each other are drawn together. `colour`: of all points, in the place of their own.
 /// Throws std::runtime_error for more points than a segment's word can number.
-void upload_fibres(device& to, const strands& fibres, std::span<const std::uint32_t> drawing_order);
+void upload_fibres(device& to, const strands& fibres, std::span<const std::uint32_t> drawing_order,
+                   const std::optional<glm::vec3>& colour);
 
 /// Where the points of hair that moves rest.
 void upload_rest(device& to, const swaying_hair& hair);

@@ -14,17 +14,18 @@ namespace {
 
 using namespace vulkan;
 
-std::uint64_t hash_of(std::span<const float> values) {
-  std::uint64_t hash = 14695981039346656037U;  // FNV-1a, by words
-  for (const float v : values)
-    hash = (hash ^ std::bit_cast<std::uint32_t>(v)) * 1099511628211U;
-  return hash;
+// FNV-1a, by words.
+constexpr std::uint64_t empty_hash = 14695981039346656037U;
+
+constexpr std::uint64_t with_word(std::uint64_t hash, std::uint64_t word) {
+  return (hash ^ word) * 1099511628211U;
 }
 
-std::uint64_t hash_of(const std::vector<std::uint64_t>& hashes) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const std::uint64_t h : hashes)
-    hash = (hash ^ h) * 1099511628211U;
+std::uint64_t hash_of(const image& picture) {
+  std::uint64_t hash = empty_hash;
+  for (const glm::vec3& p : picture.pixels)
+    for (const float channel : {p.r, p.g, p.b})
+      hash = with_word(hash, std::bit_cast<std::uint32_t>(channel));
   return hash;
 }
 
@@ -74,8 +75,7 @@ device_frame draw_frame_on_device(const hair_model& model, const frame_settings&
   std::vector<std::uint64_t> hashes;
   const auto drawn_hash = [&] {
     on.read_picture(result.picture);
-    const std::span<const glm::vec3> pixels = result.picture.pixels;
-    return hash_of({&pixels.front().x, 3 * pixels.size()});
+    return hash_of(result.picture);
   };
   for (std::uint32_t f = 0; f < frames / 10; ++f)
     (void)on.draw(f);
@@ -94,18 +94,15 @@ device_frame draw_frame_on_device(const hair_model& model, const frame_settings&
     if (set.hair.moves()) (void)on.draw(f);
     result.same += hashes[f] == (set.hair.moves() ? drawn_hash() : hashes.front()) ? 1 : 0;
   }
-  result.hash = set.hair.moves() ? hash_of(hashes) : hashes.front();
+  result.hash =
+      set.hair.moves() ? std::accumulate(hashes.begin(), hashes.end(), empty_hash, with_word) : hashes.front();
   for (const pass_times& p : passes)
     result.passes.push_back({p.view, p.name, median(p.milliseconds)});
   result.bytes = on.bytes();
   result.redrawn = on.redrawn();
   result.milliseconds = median(whole);
   result.views = on.read_fragments();
-  result.sorts = set.slices.sorts;
-  result.sort_seconds = set.slices.sort_seconds;
-  result.strands = set.strand_count;
-  result.segments = set.fibres.segment_count();
-  result.detail_seconds = set.detail_seconds;
+  result.drawn = report_of(set);
   return result;
 }
 

@@ -30,14 +30,10 @@ struct device_frame {
   std::uint64_t bytes;           ///< of the device's memory
   std::uint64_t hash;            ///< of the first picture's bits; of hair that moves, of all pictures' hashes in order
   std::uint32_t frames;          ///< timed, after a tenth as many to warm up
-  std::uint32_t same;          ///< of those, how many have that hash; of hair that moves, how many have the same again
-                               ///< when the sequence is drawn a second time
-  std::uint32_t redrawn = 0;   ///< how often moving hair outgrew its room, so that a frame was drawn again with more
-  std::uint32_t sorts = 0;     ///< of the slices' order
-  double sort_seconds = 0;     ///< what they took
-  std::uint32_t strands = 0;   ///< that were drawn
-  std::uint32_t segments = 0;  ///< of those
-  double detail_seconds = 0;   ///< what it took the CPU to choose them, in all frames
+  std::uint32_t same;         ///< of those, how many have that hash; of hair that moves, how many have the same again
+                              ///< when the sequence is drawn a second time
+  std::uint32_t redrawn = 0;  ///< how often moving hair outgrew its room, so that a frame was drawn again with more
+  drawn_report drawn{};
 };
 
 using pelage::vulkan::no_device;

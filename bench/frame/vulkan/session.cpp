@@ -68,15 +68,17 @@ session::session(const stage& set, const frame_settings& settings)
   }
   device_.resize(scene_buffer, sizeof constants_);
   upload_constants();
+  const fibre_bsdf bsdf = make_bsdf(set, settings.look);
+  upload_bsdf(device_, bsdf);
+  if (bsdf.table() == nullptr) colour_ = bsdf.pigment_colour();
   upload_strands();
   upload_rest(device_, set.hair);
-  upload_bsdf(device_, make_bsdf(set, settings.look), set.fibres.point.size());
   make_buffers();
 }
 
 /// What depends on the order of drawing, and room for what fibres stop in each view.
 void session::upload_strands() {
-  upload_fibres(device_, set_.fibres, set_.slices.slices > 0 ? set_.slices.segments : set_.drawing_order);
+  upload_fibres(device_, set_.fibres, set_.slices.slices > 0 ? set_.slices.segments : set_.drawing_order, colour_);
   if (constants_.eta > 0.0F) {
     device_.resize(opacity_buffer, (set_.lights.size() + 1) * set_.fibres.point.size() * sizeof(float));
   }
@@ -86,10 +88,7 @@ void session::move_camera(const frame_settings& settings) {
   constants_ = make_scene_block(set_, settings);
   place_layers(constants_, set_, settings);
   upload_constants();
-  if (set_.whole || set_.slices.sorts != sorts_) {
-    upload_strands();
-    upload_bsdf(device_, make_bsdf(set_, settings.look), set_.fibres.point.size());
-  }
+  if (set_.whole || set_.slices.sorts != sorts_) upload_strands();
   sorts_ = set_.slices.sorts;
   frame_ = {};
   make_buffers();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -122,7 +123,8 @@ class session {
   std::string lookup_;  ///< at the end of the name of the kernel that lights fibres
   plan light_plan_;
   plan camera_plan_;
-  std::string shading_;  ///< the kernel, less what its name says of the maps
+  std::string shading_;              ///< the kernel, less what its name says of the maps
+  std::optional<glm::vec3> colour_;  ///< of all fibres, where kajiya_kay has a pigment
   scene_block constants_;
   std::uint32_t places_ = 0;   ///< in the pool
   std::uint32_t records_ = 0;  ///< of the camera, for which there is memory
